@@ -13,6 +13,7 @@
 #include "adapters/nlu/parse/choice.hpp"
 #include "adapters/nlu/parse/correction.hpp"
 #include "adapters/nlu/parse/doubt.hpp"
+#include "adapters/nlu/parse/island_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/understand/explanation.hpp"
 #include "adapters/nlu/understand/heard_texts.hpp"

@@ -38,7 +38,8 @@ bool held_out(const std::vector<Feature>& features) {
 
 // Whether the span is a known value, without titles and determiners before it.
 bool is_certain(const Span& span) {
-  return (is_form(span.entity) || is_set(span.entity)) && !span.weak && !span.unmatched && span.begin == span.core;
+  return (is_form(span.entity) || is_set(span.entity)) && !span.weak &&
+         !span.unmatched && span.begin == span.core;
 }
 
 } // namespace

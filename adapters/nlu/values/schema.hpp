@@ -20,9 +20,9 @@ using TopicNumber = std::uint32_t;
 inline constexpr TopicNumber no_topic = 0xFFFFFFFF;
 
 // What may stand at a place in a grammar: a normal form, any words (`@words`,
-// `@rest`), the value that the context asks for (`@asked`), or a value of a set. One
-// number covers all of them, so that an arc of the automaton needs only one
-// field:
+// `@rest`), the value that the context asks for (`@asked`), or a value of a
+// set. One number covers all of them, so that an arc of the automaton needs
+// only one field:
 //
 //  0 …                  the normal forms, as in enum Form
 //  words_entity         any words

@@ -78,8 +78,9 @@ TEST(Spans, OfOpenWordsEndWhereTheyMust) {
 
 TEST(Spans, OfTheRestGoUpToTheEndOfTheClause) {
   Stages stages(grammar, "remind me to find the food court, please");
-  EXPECT_EQ(texts(stages, stages.spans.rest(3)),
-            (Lines{"find", "find the", "find the food", "find the food court"}));
+  EXPECT_EQ(
+      texts(stages, stages.spans.rest(3)),
+      (Lines{"find", "find the", "find the food", "find the food court"}));
   EXPECT_EQ(texts(stages, stages.spans.rest(7)), Lines{"please"});
 }
 

@@ -60,21 +60,20 @@ INSTANTIATE_TEST_SUITE_P(
 // What is said beside an answer speaks against it.
 INSTANTIATE_TEST_SUITE_P(
     Beside, Turns,
-    testing::Values(Turn{"Appointment.Visitor", "no, not three, four",
-                         "~correct Appointment Time=16:00"},
-                    Turn{"", "no, it is near, I mean Margaret Sim",
-                         "~correct Appointment Host=Margaret Sim"},
-                    Turn{"Appointment.Visitor", "I'm Anouk, Windmolen Energy",
-                         "inform Appointment Visitor=Anouk"},
-                    Turn{"Taxi.Destination", "at six",
-                         "inform Taxi Time=18:00"},
-                    Turn{"Taxi.Time", "not Zorkville, book a taxi to Bedok",
-                         "correct Taxi Destination=Bedok"},
-                    Turn{"", "Bank, please?",
-                         "~request Facility Category=bank"},
-                    Turn{"", "four", ""},
-                    Turn{"", "What a big house this is! Where is the bank?",
-                         "request Facility Category=bank"}));
+    testing::Values(
+        Turn{"Appointment.Visitor", "no, not three, four",
+             "~correct Appointment Time=16:00"},
+        Turn{"", "no, it is near, I mean Margaret Sim",
+             "~correct Appointment Host=Margaret Sim"},
+        Turn{"Appointment.Visitor", "I'm Anouk, Windmolen Energy",
+             "inform Appointment Visitor=Anouk"},
+        Turn{"Taxi.Destination", "at six", "inform Taxi Time=18:00"},
+        Turn{"Taxi.Time", "not Zorkville, book a taxi to Bedok",
+             "correct Taxi Destination=Bedok"},
+        Turn{"", "Bank, please?", "~request Facility Category=bank"},
+        Turn{"", "four", ""},
+        Turn{"", "What a big house this is! Where is the bank?",
+             "request Facility Category=bank"}));
 
 // Not everything that could be a value is one.
 INSTANTIATE_TEST_SUITE_P(

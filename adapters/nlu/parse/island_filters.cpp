@@ -1,0 +1,238 @@
+#include "adapters/nlu/parse/island_filters.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <span>
+
+#include "adapters/nlu/text/words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// From this confidence on the words are the value's own; below the other one,
+// they only sound or look like it.
+constexpr float certain = 0.95F;
+constexpr float guessed = 0.9F;
+
+// Whether the value of a fill was found among known ones, with a confidence
+// that `is_such` accepts.
+template <class Predicate>
+bool fits(const Fill& fill, const Spans& spans, Predicate is_such) {
+  return fill.span && !is_form(spans[*fill.span].entity) &&
+         std::invoke(is_such, spans[*fill.span]);
+}
+
+bool is_certain(const Span& span) {
+  return !span.unmatched && span.confidence >= certain;
+}
+
+// With a capital letter, or where the writer uses none.
+bool is_written_as_name(const Utterance& utterance, const Fill& fill) {
+  const auto is_capital = [&](const Token& token) {
+    const char letter = utterance.text[token.begin];
+    return letter >= 'A' && letter <= 'Z' && token.word != "i";
+  };
+  const std::span tokens(utterance.tokens.list);
+  return std::ranges::any_of(tokens.subspan(fill.begin, fill.end - fill.begin),
+                             is_capital) ||
+         std::ranges::none_of(tokens, is_capital);
+}
+
+bool is_guess(const Span& span) {
+  return !span.unmatched && span.confidence < guessed;
+}
+
+} // namespace
+
+void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
+                       const Schema& schema) {
+  // "not Palmar, Palmer": what is denied stays, or else the next value would
+  // be.
+  if (std::ranges::any_of(islands, &Island::denies))
+    return;
+  std::vector<std::string> sure;
+  for (const auto& island : islands)
+    for (const auto& fill : island.fills)
+      if (fits(fill, spans, is_certain))
+        sure.push_back(fill.slot);
+  const auto is_outshone = [&](const Fill& fill, const Island& island) {
+    return fits(fill, spans, is_guess) &&
+           std::ranges::find(sure, fill.slot) != sure.end() &&
+           std::ranges::none_of(island.topics, [&](TopicNumber topic) {
+             return schema.at(topic).takes_many(fill.slot);
+           });
+  };
+  std::erase_if(islands, [&](const Island& island) {
+    return island.rule->bare && !island.fills.empty() &&
+           std::ranges::all_of(island.fills, [&](const Fill& fill) {
+             return is_outshone(fill, island);
+           });
+  });
+}
+
+void leave_out_strangers(std::vector<Island>& islands,
+                         const Utterance& utterance, const Spans& spans) {
+  const auto is_known = [&](const Fill& fill) {
+    return fill.literal || fits(fill, spans, is_certain);
+  };
+  const auto is_stranger = [&](const Fill& fill) {
+    return fits(fill, spans, [](const Span& span) { return span.unmatched; });
+  };
+  const auto is_better = [&](const Island& island) {
+    return std::ranges::any_of(island.fills, is_known);
+  };
+  const auto is_apart = [&](const Island& one, const Island& other) {
+    const auto first = std::min(one.end, other.end);
+    const auto last = std::max(one.begin, other.begin);
+    for (auto token = first; token <= last; ++token)
+      if (utterance.tokens.list[token].before != Break::none)
+        return true;
+    return false;
+  };
+  // "with clients": of another topic than what is wanted, and written as no
+  // name is.
+  const auto is_no_name = [&](const Fill& fill) {
+    return is_stranger(fill) && !is_written_as_name(utterance, fill);
+  };
+  const auto is_foreign = [&](const Island& island, const Island& other) {
+    return !other.rule->bare && !other.act.empty() &&
+           (other.end <= island.begin || island.end <= other.begin) &&
+           std::ranges::find_first_of(island.topics, other.topics) ==
+               island.topics.end();
+  };
+  std::vector<const Island*> better;
+  for (const auto& island : islands)
+    if (is_better(island))
+      better.push_back(&island);
+  std::vector<Island> kept;
+  for (const auto& island : islands) {
+    const bool strange =
+        !island.fills.empty() && std::ranges::all_of(island.fills, is_stranger);
+    const bool nameless =
+        strange && std::ranges::all_of(island.fills, is_no_name);
+    if (!strange || std::ranges::none_of(better, [&](const Island* other) {
+          return (island.act.empty() && is_apart(island, *other)) ||
+                 (nameless && !is_apart(island, *other) &&
+                  is_foreign(island, *other));
+        }))
+      kept.push_back(island);
+  }
+  islands = std::move(kept);
+}
+
+namespace {
+
+// "postponed": a participle, unless it is written as a name or comes after "a".
+constexpr std::size_t shortest_participle = 6;
+
+bool names_nothing(const Utterance& utterance, const Fill& fill) {
+  const auto& tokens = utterance.tokens.list;
+  const auto word = [&](std::uint32_t at) -> const std::string& {
+    return tokens[at].word;
+  };
+  const auto& first = word(fill.begin);
+  bool vague = true;
+  for (auto at = fill.begin; at < fill.end; ++at)
+    vague = vague && (is_vague(word(at)) || utterance.function[at]);
+  if (vague || fill.begin == 0)
+    return vague;
+  const auto& before = word(fill.begin - 1);
+  const bool infinitive = before == "to" && fill.begin > 1 &&
+                          is_before_infinitive(word(fill.begin - 2));
+  const bool participle = first.size() >= shortest_participle &&
+                          first.ends_with("ed") && !is_determiner(before) &&
+                          utterance.text[tokens[fill.begin].begin] == first[0];
+  const bool verb = infinitive || is_before_verb(before);
+  return participle || (verb && utterance.plain[fill.begin]);
+}
+
+} // namespace
+
+void leave_out_unnamed(std::vector<Island>& islands, const Utterance& utterance,
+                       const Spans& spans) {
+  std::erase_if(islands, [&](const Island& island) {
+    return std::ranges::any_of(island.fills, [&](const Fill& fill) {
+      return fits(fill, spans, &Span::unmatched) &&
+             names_nothing(utterance, fill);
+    });
+  });
+}
+
+void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
+                       const Spans& spans, const Context& context) {
+  // "No, B. 2B."
+  if (std::ranges::any_of(islands, &Island::is_marker))
+    return;
+  const auto says_what = [&](const Island& island) {
+    return island.is_content() && !island.rule->bare && !island.act.empty() &&
+           std::ranges::none_of(island.fills, [&](const Fill& fill) {
+             return fits(fill, spans, &Span::unmatched);
+           });
+  };
+  const auto is_alike = [&](const Fill& fill) {
+    return fits(fill, spans, [](const Span& span) {
+      return !span.unmatched && span.confidence < 1;
+    });
+  };
+  const auto is_expected = [&](const Island& island) {
+    return std::ranges::any_of(island.topics, [&](TopicNumber topic) {
+      return context.bonus(topic) > 0 || topic == context.asked_topic;
+    });
+  };
+  // The sentences of what is wanted.
+  std::vector<TokenRange> wanted;
+  for (const auto& island : islands)
+    if (says_what(island))
+      wanted.push_back(stretch_of(utterance.tokens, {island.begin, island.end},
+                                  Break::sentence));
+  const auto is_guessed = [&](const Fill& fill) {
+    return fits(fill, spans, is_guess);
+  };
+  const bool asks_for_yes = !context.confirms.empty();
+  std::erase_if(islands, [&](const Island& island) {
+    if (!island.rule->bare || island.fills.empty() || is_expected(island) ||
+        !std::ranges::all_of(island.fills, is_alike))
+      return false;
+    const bool guess = std::ranges::all_of(island.fills, is_guessed);
+    return (guess && asks_for_yes) ||
+           std::ranges::any_of(wanted, [&](TokenRange sentence) {
+             return guess || island.end <= sentence.begin ||
+                    sentence.end <= island.begin;
+           });
+  });
+}
+
+void trust_whole_values(std::vector<Island>& islands,
+                        const Utterance& utterance, const Spans& spans) {
+  const auto is_whole = [&](const Island& island) {
+    for (std::size_t token = 0; token < utterance.size(); ++token)
+      if (!utterance.filler[token] &&
+          (token < island.begin || token >= island.end))
+        return false;
+    return true;
+  };
+  const auto is_sure = [](const Span& span) {
+    return !span.unmatched && span.confidence >= guessed;
+  };
+  for (auto& island : islands)
+    if (island.weak && island.rule->bare && !island.fills.empty() &&
+        is_whole(island) &&
+        std::ranges::all_of(island.fills, [&](const Fill& fill) {
+          return fits(fill, spans, is_sure);
+        }))
+      island.weak = false;
+}
+
+void leave_out_parts(std::vector<Island>& islands, const Schema& schema,
+                     const Context& context) {
+  std::erase_if(islands, [&](Island& island) {
+    const bool content = island.is_content();
+    std::erase_if(island.topics, [&](TopicNumber topic) {
+      return schema.at(topic).part && !context.goes_on(topic);
+    });
+    return content && !island.is_content();
+  });
+}
+
+} // namespace parlour::adapters::nlu

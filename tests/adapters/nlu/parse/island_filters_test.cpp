@@ -1,0 +1,57 @@
+#include "adapters/nlu/parse/island_filters.hpp"
+#include "tests/adapters/nlu/stages.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+constexpr const char* grammar = R"(
+  public <ask> = is there @Facility.Category {act=request} {topic=Facility};
+  public <meet> = with @db:staff.name {Host} {act=inform} {topic=Appointment};
+  public <words> = could need;)";
+
+// The values of a slot that a filter leaves, in their order.
+template <class Filter>
+std::vector<std::string> left(const char* slot, const char* text,
+                              Filter filter) {
+  Stages stages(grammar, text);
+  auto islands = stages.islands;
+  filter(islands, stages);
+  std::vector<std::string> made;
+  for (const auto& island : islands)
+    if (const auto* fill = island.find(slot))
+      made.push_back(stages.words(fill->begin, fill->end));
+  return made;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(IslandFilters, LeaveOutWhatIsNoName) {
+  const auto unnamed = [](std::vector<Island>& islands, Stages& stages) {
+    leave_out_unnamed(islands, stages.utterance, stages.spans);
+  };
+  const auto kept = [&](const char* text) {
+    return left("Category", text, unnamed);
+  };
+  EXPECT_EQ(kept("is there a helipad"), Lines{"helipad"});
+  EXPECT_EQ(kept("is there a moment"), Lines());
+  EXPECT_EQ(kept("is there postponed"), Lines());
+  EXPECT_EQ(kept("is there anywhere I could need"), Lines());
+  EXPECT_EQ(kept("is there a bank"), Lines{"bank"});
+}
+
+TEST(IslandFilters, LeaveOutStrangersOfAnotherTopic) {
+  const auto strangers = [](std::vector<Island>& islands, Stages& stages) {
+    leave_out_strangers(islands, stages.utterance, stages.spans);
+  };
+  const auto kept = [&](const char* text) {
+    return left("Host", text, strangers);
+  };
+  EXPECT_EQ(kept("Is there a bank so with clients"), Lines());
+  EXPECT_EQ(kept("Is there a bank so with Clients"), Lines{"Clients"});
+  EXPECT_EQ(kept("Is there a bank so with Jeffery Ho"), Lines{"Jeffery Ho"});
+  EXPECT_EQ(kept("Is there a bank? I come with clients"), Lines{"clients"});
+  EXPECT_EQ(kept("I come with clients"), Lines{"clients"});
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

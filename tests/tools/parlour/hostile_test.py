@@ -309,16 +309,19 @@ class BrokenCopies(Hostile):
         return before.count("\n") + 1
 
     def test_grammar(self):
-        found = self.findings(self.copy(("grammars/receptionist.jsgf",
-                                         "<want>", "<wanted>")))
+        grammar = "grammars/receptionist.jsgf"
+        application = self.copy((grammar, "(<want> to", "(<no_rule> to"))
+        line = self.line_of(application / grammar, "<no_rule>")
+        found = self.findings(application)
         self.assertEqual(len(found), 1)
-        self.assertIn("grammars/receptionist.jsgf:10:", found[0])
+        self.assertIn(f"{grammar}:{line}:", found[0])
 
     def test_column_that_is_not_there(self):
-        found = self.findings(self.copy(("grammars/receptionist.jsgf",
-                                         "rr_staff.staff_name",
-                                         "rr_staff.name")))
-        self.assertIn("grammars/receptionist.jsgf:11:", found[0])
+        grammar = "grammars/receptionist.jsgf"
+        application = self.copy((grammar, "rr_staff.staff_name",
+                                 "rr_staff.name"))
+        line = self.line_of(application / grammar, "rr_staff.name")
+        self.assertIn(f"{grammar}:{line}:", self.findings(application)[0])
 
     def test_files_that_are_not_there(self):
         for name in ("sql/schema.sql", "sql/seed.sql", "topics/taxi.xml",

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <functional>
-#include <span>
 
+#include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -25,18 +25,6 @@ bool fits(const Fill& fill, const Spans& spans, Predicate is_such) {
 
 bool is_certain(const Span& span) {
   return !span.unmatched && span.confidence >= certain;
-}
-
-// With a capital letter, or where the writer uses none.
-bool is_written_as_name(const Utterance& utterance, const Fill& fill) {
-  const auto is_capital = [&](const Token& token) {
-    const char letter = utterance.text[token.begin];
-    return letter >= 'A' && letter <= 'Z' && token.word != "i";
-  };
-  const std::span tokens(utterance.tokens.list);
-  return std::ranges::any_of(tokens.subspan(fill.begin, fill.end - fill.begin),
-                             is_capital) ||
-         std::ranges::none_of(tokens, is_capital);
 }
 
 bool is_guess(const Span& span) {
@@ -93,7 +81,8 @@ void leave_out_strangers(std::vector<Island>& islands,
   // "with clients": of another topic than what is wanted, and written as no
   // name is.
   const auto is_no_name = [&](const Fill& fill) {
-    return is_stranger(fill) && !is_written_as_name(utterance, fill);
+    return is_stranger(fill) &&
+           !is_written_as_name(utterance, {fill.begin, fill.end});
   };
   const auto is_foreign = [&](const Island& island, const Island& other) {
     return !other.rule->bare && !other.act.empty() &&

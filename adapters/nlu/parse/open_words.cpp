@@ -39,13 +39,6 @@ bool has_case(const Utterance& utterance) {
   });
 }
 
-bool is_written_as_name(const Utterance& utterance, TokenRange value) {
-  for (auto token = value.begin; token < value.end; ++token)
-    if (is_capital(utterance.text[token_at(utterance, token).begin]))
-      return true;
-  return !has_case(utterance);
-}
-
 // "waiting", "supposed", "exactly"
 bool ends_like_no_name(std::string_view word) {
   return word.size() > max_short_name &&
@@ -192,6 +185,13 @@ bool says_more(const Utterance& utterance, TokenRange explained) {
 }
 
 } // namespace
+
+bool is_written_as_name(const Utterance& utterance, TokenRange value) {
+  for (auto token = value.begin; token < value.end; ++token)
+    if (is_capital(utterance.text[token_at(utterance, token).begin]))
+      return true;
+  return !has_case(utterance);
+}
 
 double certainty_of_words(const Utterance& utterance, const OpenWords& words) {
   const auto value = words.value;

@@ -26,6 +26,9 @@ struct OpenWords {
 // is ("I am …"), if the word does not look like a name.
 double certainty_of_words(const Utterance& utterance, const OpenWords& words);
 
+// With a capital letter, or where the writer uses none.
+bool is_written_as_name(const Utterance& utterance, TokenRange value);
+
 // Whether the words of a sentence may be a value at all: in "I am seeing",
 // nobody is called so.
 bool may_be_value(const Utterance& utterance, TokenRange value);

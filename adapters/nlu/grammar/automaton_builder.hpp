@@ -63,8 +63,13 @@ private:
   // The empty moves on the way from a state to a node.
   struct Path {
     NodeId node;
-    std::vector<Action> actions;
+    std::uint32_t last; // of its actions, in trail_; 0: none
     float weight;
+  };
+  // An action, and the one before it on the same way.
+  struct Trail {
+    Action action;
+    std::uint32_t before;
   };
 
   NodeId new_node(const SourceLocation& place);
@@ -98,7 +103,8 @@ private:
   // The state of a node, new if it has none yet.
   std::uint32_t state_of(NodeId node);
   void fill_state(NodeId node);
-  std::uint32_t actions_of(const std::vector<Action>& actions);
+  // Equal lists of actions share one number.
+  std::uint32_t actions_of(const Path& path);
   void error(const SourceLocation& place, std::string message);
 
   Schema& schema_;
@@ -108,6 +114,10 @@ private:
   std::map<std::vector<Action>, std::uint32_t> action_numbers_;
   // By node; no_state if it has none.
   std::vector<std::uint32_t> states_;
+  // The actions of all ways from the node whose state is filled.
+  std::vector<Trail> trail_;
+  // By node: the last state whose ways led there.
+  std::vector<std::uint32_t> seen_;
   // Nodes whose state has no arcs yet.
   std::vector<NodeId> waiting_;
   const jsgf::Grammar* grammar_ = nullptr;

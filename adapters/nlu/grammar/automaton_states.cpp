@@ -1,6 +1,6 @@
 // The second step of AutomatonBuilder: removes the empty moves.
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "adapters/nlu/grammar/automaton_builder.hpp"
 
@@ -22,6 +22,7 @@ std::span<const Arc> arcs_of(const std::vector<Arc>& arcs,
 // Only nodes that can be reached become states.
 Automaton AutomatonBuilder::finish() {
   states_.assign(nodes_.size(), no_state);
+  seen_.assign(nodes_.size(), no_state);
   state_of(0);
   while (!waiting_.empty() && !too_large_) {
     const auto node = waiting_.back();
@@ -53,14 +54,15 @@ std::uint32_t AutomatonBuilder::state_of(NodeId node) {
 void AutomatonBuilder::fill_state(NodeId node) {
   const auto number = states_[node];
   State state;
-  std::vector<Path> paths{{node, {}, 0}};
-  std::set<NodeId> seen{node};
+  std::vector<Path> paths{{node, 0, 0}};
+  trail_.assign(1, {});
+  seen_[node] = number;
   while (!paths.empty()) {
-    const auto path = std::move(paths.back());
+    const auto path = paths.back();
     paths.pop_back();
     const auto& here = nodes_[path.node];
     const bool has_arcs = !here.accepts.empty() || !here.taking.empty();
-    const auto actions = has_arcs ? actions_of(path.actions) : 0;
+    const auto actions = has_arcs ? actions_of(path) : 0;
     for (const auto rule : here.accepts)
       state.accepts.push_back({rule, actions, path.weight});
     for (const auto& move : here.taking) {
@@ -71,11 +73,13 @@ void AutomatonBuilder::fill_state(NodeId node) {
     // `paths` is a stack: pushing in reverse order visits the grammar's first
     // alternative first.
     for (auto move = here.empty.rbegin(); move != here.empty.rend(); ++move) {
-      if (!seen.insert(move->target).second)
+      if (std::exchange(seen_[move->target], number) == number)
         continue;
-      paths.push_back({move->target, path.actions, path.weight + move->weight});
-      if (move->does != 0)
-        paths.back().actions.push_back({move->tag, move->does > 0});
+      paths.push_back({move->target, path.last, path.weight + move->weight});
+      if (move->does == 0)
+        continue;
+      paths.back().last = static_cast<std::uint32_t>(trail_.size());
+      trail_.push_back({{move->tag, move->does > 0}, path.last});
     }
   }
   std::ranges::stable_sort(state.words, {}, &Arc::symbol);
@@ -86,12 +90,15 @@ void AutomatonBuilder::fill_state(NodeId node) {
   automaton_.states[number] = std::move(state);
 }
 
-// Equal lists of actions share one number.
-std::uint32_t AutomatonBuilder::actions_of(const std::vector<Action>& actions) {
+std::uint32_t AutomatonBuilder::actions_of(const Path& path) {
+  std::vector<Action> actions;
+  for (auto at = path.last; at != 0; at = trail_[at].before)
+    actions.push_back(trail_[at].action);
+  std::ranges::reverse(actions);
   const auto next = static_cast<std::uint32_t>(automaton_.actions.size());
   const auto [place, is_new] = action_numbers_.try_emplace(actions, next);
   if (is_new)
-    automaton_.actions.push_back(actions);
+    automaton_.actions.push_back(std::move(actions));
   return place->second;
 }
 

@@ -45,7 +45,10 @@ struct Action {
   std::uint32_t tag = 0;
   bool opens = false;
 
-  auto operator<=>(const Action&) const = default;
+  bool operator==(const Action&) const = default;
+  bool operator<(const Action& other) const {
+    return tag != other.tag ? tag < other.tag : opens < other.opens;
+  }
 };
 
 struct Arc {

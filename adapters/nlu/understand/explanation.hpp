@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adapters/nlu/parse/built_act.hpp"
+#include "adapters/nlu/parse/chain.hpp"
 #include "adapters/nlu/understand/trained_model.hpp"
 
 namespace parlour::adapters::nlu {

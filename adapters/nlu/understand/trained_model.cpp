@@ -231,10 +231,10 @@ private:
   void settle(std::uint32_t labels, double threshold) {
     std::vector<LabelledText> learnt;
     std::vector<LabelledText> others;
-    for (std::size_t at = 0; at < texts_.size(); ++at) {
+    for (auto& text : texts_) {
       const bool out =
-          held_out(texts_[at].features.features) && texts_[at].label != nothing;
-      (out ? others : learnt).push_back(std::move(texts_[at]));
+          held_out(text.features.features) && text.label != nothing;
+      (out ? others : learnt).push_back(std::move(text));
     }
     const auto trial = Classifier::train(learnt, labels);
     std::vector<HeldOutText> read;

@@ -65,7 +65,7 @@ void leave_out_strangers(std::vector<Island>& islands,
     return fill.literal || fits(fill, spans, is_certain);
   };
   const auto is_stranger = [&](const Fill& fill) {
-    return fits(fill, spans, [](const Span& span) { return span.unmatched; });
+    return fits(fill, spans, &Span::unmatched);
   };
   const auto is_better = [&](const Island& island) {
     return std::ranges::any_of(island.fills, is_known);
@@ -78,12 +78,10 @@ void leave_out_strangers(std::vector<Island>& islands,
         return true;
     return false;
   };
-  // "with clients": of another topic than what is wanted, and written as no
-  // name is.
-  const auto is_no_name = [&](const Fill& fill) {
-    return is_stranger(fill) &&
-           !is_written_as_name(utterance, {fill.begin, fill.end});
+  const auto is_named = [&](const Fill& fill) {
+    return is_written_as_name(utterance, {fill.begin, fill.end});
   };
+  // "with clients": of another topic than what is wanted.
   const auto is_foreign = [&](const Island& island, const Island& other) {
     return !other.rule->bare && !other.act.empty() &&
            (other.end <= island.begin || island.end <= other.begin) &&
@@ -99,7 +97,7 @@ void leave_out_strangers(std::vector<Island>& islands,
     const bool strange =
         !island.fills.empty() && std::ranges::all_of(island.fills, is_stranger);
     const bool nameless =
-        strange && std::ranges::all_of(island.fills, is_no_name);
+        strange && std::ranges::none_of(island.fills, is_named);
     if (!strange || std::ranges::none_of(better, [&](const Island* other) {
           return (island.act.empty() && is_apart(island, *other)) ||
                  (nameless && !is_apart(island, *other) &&

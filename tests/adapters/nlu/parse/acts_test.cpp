@@ -8,6 +8,7 @@ constexpr const char* marks = R"(
   public <no> = no {act=deny};
   public <not> = not {act=deny} {denies=next};
   public <mend> = sorry {act=correct};
+  public <wait> = wait {act=wait};
   public <thanks> = thank you {act=thank};
   public <leads> = how about;
   public <kind> = @Facility.Category;
@@ -27,24 +28,11 @@ List acts(const std::string& text, double threshold = 0.4) {
 
 // Nobody is to wait who mends what he has said.
 TEST(Acts, AreMendedAfterAWait) {
-  const auto of = [](const std::string& text) {
-    const Stages stages(std::string(sample_grammar) + marks +
-                            "public <wait> = wait {act=wait};",
-                        text);
-    const auto chains =
-        best_chains(stages.islands, stages.utterance.size(), stages.context);
-    List made;
-    for (const auto& act : build_acts(chains.at(0), stages.utterance,
-                                      stages.schema, stages.context, 0.4))
-      made.push_back(
-          act_value(act, stages.utterance, stages.spans, stages.schema));
-    return summary(made);
-  };
-  EXPECT_EQ(of("to meet Anand Menon at three, no, wait, at four"),
+  EXPECT_EQ(summary(acts("to meet Anand Menon at three, no, wait, at four")),
             "inform Appointment Host=Anand Menon Time=16:00");
-  EXPECT_EQ(of("no, wait"), "deny");
-  EXPECT_EQ(of("no, wait, is there a bank"), "deny + request Facility "
-                                             "Category=bank");
+  EXPECT_EQ(summary(acts("no, wait")), "deny");
+  EXPECT_EQ(summary(acts("no, wait, is there a bank")),
+            "deny + request Facility Category=bank");
 }
 
 // Other sentences take nothing from an act; other words of its own do.

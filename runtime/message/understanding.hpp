@@ -24,6 +24,8 @@ struct SlotModel {
   bool functional = false;
   bool relevant_to_query = false; // used by a <by> of the topic's query
   bool many = false;              // several values of it are said in one act
+
+  bool operator==(const SlotModel&) const = default;
 };
 
 struct TopicModel {
@@ -32,6 +34,8 @@ struct TopicModel {
   std::vector<SlotModel> slots;
   std::vector<std::string> examples; // such as "I am [David](Visitor)"
   bool part = false;                 // spoken about only while it goes on
+
+  bool operator==(const TopicModel&) const = default;
 };
 
 // JSGF text of a <grammar> element or a file.
@@ -39,18 +43,24 @@ struct GrammarModel {
   std::string name;
   std::string text;
   SourceLocation place; // of the text's first line, for its findings
+
+  bool operator==(const GrammarModel&) const = default;
 };
 
 // How a word sounds, in the phones of a recogniser: "HH OW".
 struct PronunciationModel {
   std::string word;
   std::string phones;
+
+  bool operator==(const PronunciationModel&) const = default;
 };
 
 struct UnderstandingModel {
   std::vector<TopicModel> topics;
   std::vector<GrammarModel> grammars;
   std::vector<PronunciationModel> pronunciations = {};
+
+  bool operator==(const UnderstandingModel&) const = default;
 };
 
 // Reads the values of a database column ("db:rr_staff.staff_name") for a set of

@@ -44,6 +44,8 @@ public:
   // `word` in small letters.
   WordMeaning find(std::string_view word) const;
 
+  bool operator==(const WordVectors&) const = default;
+
 private:
   WordVectors(std::string bytes, std::size_t words, std::size_t record);
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "adapters/nlu/grammar/example_file.hpp"
+#include "adapters/nlu/understand/engine_store.hpp"
 #include "adapters/nlu/values/known_columns.hpp"
 #include "runtime/base/outside/file_bytes.hpp"
 #include "runtime/plugin/adaptors.hpp"
@@ -69,7 +70,7 @@ protected:
     auto context = given;
     if (!context.find("now"))
       context.set("now", host().clock().now());
-    return engine()->understand(text, std::move(context)).acts;
+    return engine().understand(text, std::move(context)).acts;
   }
 
   void set_values(const std::string& column,
@@ -99,9 +100,7 @@ protected:
   }
 
 private:
-  using Engine = std::shared_ptr<const nlu::NluEngine>;
-
-  Expected<Engine> build() const {
+  Expected<nlu::NluEngine> build() const {
     const auto model = host().understanding();
     auto built = nlu::build_engine(
         options_, model ? *model : UnderstandingModel(),
@@ -113,12 +112,12 @@ private:
         host().application_folder());
     if (!built)
       return tl::make_unexpected(joined(built.error()));
-    return std::make_shared<const nlu::NluEngine>(std::move(*built));
+    return std::move(*built);
   }
 
-  Engine engine() const {
+  nlu::NluEngine engine() const {
     const std::lock_guard lock(mutex_);
-    return engine_;
+    return *engine_;
   }
 
   Options options_;
@@ -126,7 +125,7 @@ private:
   mutable std::mutex changing_; // guards the columns
   mutable nlu::KnownColumns columns_;
   mutable std::mutex mutex_;
-  mutable Engine engine_;
+  mutable std::optional<nlu::NluEngine> engine_; // from the start on
 };
 
 } // namespace
@@ -243,8 +242,8 @@ build_engine(const Options& options, UnderstandingModel model,
   if (!platform)
     errors = platform.error();
   read_examples(options, application_folder, model, errors);
-  auto built = NluEngine::build(
-      model, columns, platform ? std::move(*platform) : NluEngine::Options());
+  auto built = engine_store().get(
+      model, platform ? std::move(*platform) : NluEngine::Options(), columns);
   if (!built)
     errors.insert(errors.end(), built.error().begin(), built.error().end());
   if (!errors.empty())

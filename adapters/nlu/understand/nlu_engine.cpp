@@ -238,12 +238,15 @@ struct NluEngine::Implementation {
   }
 };
 
-NluEngine::NluEngine(std::unique_ptr<const Implementation> implementation)
-    : implementation_(std::move(implementation)) {}
+bool NluEngine::Options::operator==(const Options& other) const {
+  return threshold == other.threshold && generic == other.generic &&
+         synonyms == other.synonyms &&
+         (vectors == other.vectors ||
+          (vectors && other.vectors && *vectors == *other.vectors));
+}
 
-NluEngine::NluEngine(NluEngine&&) noexcept = default;
-NluEngine& NluEngine::operator=(NluEngine&&) noexcept = default;
-NluEngine::~NluEngine() = default;
+NluEngine::NluEngine(std::shared_ptr<const Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
 
 tl::expected<NluEngine, std::vector<Error>>
 NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
@@ -268,7 +271,7 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
       options.synonyms,
       [&](auto word) { return schema.values().has_word(word); }, automaton);
   schema.add_synonyms(options.synonyms);
-  return NluEngine(std::unique_ptr<const Implementation>(
+  return NluEngine(std::shared_ptr<const Implementation>(
       new Implementation{std::move(schema), std::move(automaton),
                          std::move(*learned), options.threshold}));
 }

@@ -21,7 +21,7 @@
 
 namespace parlour::adapters::nlu {
 
-// Immutable; any number of threads may use it.
+// Immutable; any number of threads may use it. Copies share what was built.
 class NluEngine {
 public:
   struct Options {
@@ -32,6 +32,9 @@ public:
     std::vector<SynonymGroup> synonyms = {};
     // By which what is learnt is more than the words of the examples.
     std::shared_ptr<const WordVectors> vectors = {};
+
+    // Vectors are the same if their files are.
+    bool operator==(const Options& other) const;
   };
 
   // Compiles grammars, reads columns and learns examples, which may take
@@ -40,23 +43,22 @@ public:
   build(const UnderstandingModel& model, const ColumnReader& columns,
         Options options);
 
-  NluEngine(NluEngine&&) noexcept;
-  NluEngine& operator=(NluEngine&&) noexcept;
-  ~NluEngine();
-
   // `context` is the map that comes with DoNLU, or unknown. Of what it says was
   // heard, another text may be understood, where it makes clearly more sense.
   Understanding understand(std::string_view text, const Value& context = {},
                            bool explain = false) const;
+
+  // Whether one is a copy of the other.
+  bool operator==(const NluEngine&) const = default;
 
 private:
   struct Implementation;
 
   Understanding read(std::string_view text, const Value& context,
                      bool explain) const;
-  explicit NluEngine(std::unique_ptr<const Implementation> implementation);
+  explicit NluEngine(std::shared_ptr<const Implementation> implementation);
 
-  std::unique_ptr<const Implementation> implementation_;
+  std::shared_ptr<const Implementation> implementation_;
 };
 
 } // namespace parlour::adapters::nlu

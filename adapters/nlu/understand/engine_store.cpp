@@ -1,0 +1,60 @@
+#include "adapters/nlu/understand/engine_store.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace parlour::adapters::nlu {
+
+EngineStore::EngineStore(std::size_t capacity) : capacity_(capacity) {}
+
+// No lock is held while columns are read and while an engine is built: both
+// call what is not ours, and take long.
+tl::expected<NluEngine, std::vector<Error>>
+EngineStore::get(const UnderstandingModel& model, NluEngine::Options options,
+                 const ColumnReader& columns) {
+  const auto has_these_values = [&](const auto& column) {
+    const auto values = columns(column.first);
+    return values && *values == column.second;
+  };
+  for (auto& each : kept()) {
+    if (each->model == model && each->options == options &&
+        std::ranges::all_of(each->columns, has_these_values)) {
+      keep(each);
+      return each->engine;
+    }
+  }
+  std::map<std::string, std::vector<std::string>> read;
+  auto built = NluEngine::build(
+      model,
+      [&](const auto& name) {
+        auto values = columns(name);
+        if (values)
+          read[name] = *values;
+        return values;
+      },
+      options);
+  if (built)
+    keep(std::make_shared<const Kept>(
+        Kept{model, std::move(options), std::move(read), *built}));
+  return built;
+}
+
+EngineStore::KeptEngines EngineStore::kept() const {
+  const std::lock_guard lock(mutex_);
+  return kept_;
+}
+
+void EngineStore::keep(std::shared_ptr<const Kept> latest) {
+  const std::lock_guard lock(mutex_);
+  std::erase(kept_, latest);
+  kept_.push_back(std::move(latest));
+  if (kept_.size() > capacity_)
+    kept_.erase(kept_.begin());
+}
+
+EngineStore& engine_store() {
+  static EngineStore store;
+  return store;
+}
+
+} // namespace parlour::adapters::nlu

@@ -126,7 +126,10 @@ SessionParts NodeRuntime::session_parts() {
   parts.file_keeper = file_keeper_;
   if (options_.restores_after_each_input)
     parts.after_input = [](SessionDialogue& dialogue, Timestamp now) {
-      return dialogue.renew(now);
+      auto renewed = dialogue.renew(now);
+      if (dialogue.may_rest(now))
+        dialogue.rest();
+      return renewed;
     };
   return parts;
 }

@@ -96,6 +96,11 @@ struct record_written {
   std::uint64_t record;
   InFlight work;
 };
+// Where nothing has come for so long, and nothing goes on: be written down, to
+// take less memory, until something comes (engine rule 7.14).
+struct rest_if_idle {
+  Milliseconds idle;
+};
 // The session has ended, and nothing is on its way to it any more: quit.
 struct leave {
   InFlight work;
@@ -110,7 +115,8 @@ using session_actor = caf::typed_actor<
     caf::replies_to<get_state>::with<state_told>, caf::reacts_to<end_session>,
     caf::reacts_to<record_written>,
     caf::replies_to<change_program>::with<program_changed>,
-    caf::reacts_to<scripts_over>, caf::reacts_to<leave>, tells_status>;
+    caf::reacts_to<scripts_over>, caf::reacts_to<rest_if_idle>,
+    caf::reacts_to<leave>, tells_status>;
 
 // -- files --------------------------------------------------------------------
 
@@ -374,12 +380,16 @@ struct session_gone {
   std::vector<Message> unread = {};
 };
 
+// Tell the sessions that are idle to rest; the manager sends this to itself.
+struct look_for_idle {};
+
 using session_manager_actor =
     caf::typed_actor<caf::replies_to<open_session>::with<session_opened>,
                      caf::reacts_to<forward>, caf::reacts_to<subscribe>,
                      caf::reacts_to<close_session>,
                      caf::reacts_to<session_gone>, caf::reacts_to<seat_opened>,
                      caf::reacts_to<begin_visit>, caf::reacts_to<end_visit>,
+                     caf::reacts_to<look_for_idle>,
                      caf::replies_to<reload_program>::with<program_reloaded>,
                      tells_status>;
 

@@ -23,6 +23,7 @@ Timestamp now(Self self) {
   return self->state.time->now();
 }
 
+// Of one at rest, too: then it is brought back.
 const dialogue::Conversation& conversation_of(Self self) {
   return self->state.dialogue->conversation();
 }
@@ -33,6 +34,7 @@ void take(Self self, dialogue::SessionInput input) {
   assert(!conversation_of(self).awaiting_frame() ||
          std::holds_alternative<input::FrameApplied>(input) ||
          std::holds_alternative<input::Resumed>(input));
+  self->state.last_input = now(self);
   self->state.dialogue->take(std::move(input), now(self));
 }
 
@@ -79,7 +81,8 @@ session_actor::behavior_type over(Self self) {
         self->state.dialogue->written(what.record);
       },
       [](const change_program&) { return program_changed(); },
-      [](const scripts_over&) {}, [=](const leave&) { self->quit(); },
+      [](const scripts_over&) {}, [](const rest_if_idle&) {},
+      [=](const leave&) { self->quit(); },
       [=](const get_status& what) { return tell_session_status(self, what); });
 }
 
@@ -195,6 +198,13 @@ void end_scripts(Self self, const scripts_over& what) {
   state.scripts_due = {};
   state.dialogue->end_scripts(now(self));
   go_on(self);
+}
+
+void rest_if(Self self, Milliseconds idle) {
+  auto& state = self->state;
+  const bool is_idle = now(self) - state.last_input >= idle.count();
+  if (is_idle && !state.stepping && state.dialogue->may_rest(now(self)))
+    state.dialogue->rest();
 }
 
 // Session.Started is handled, up to the opening prompt; or it goes on after a
@@ -327,6 +337,7 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
   auto& state = self->state;
   state.parts = std::move(parts);
   state.time = &state.parts->time;
+  state.last_input = now(self);
   auto make_port = [self, id = order.id, seat = std::move(order.seat)] {
     return std::make_unique<SessionPort>(
         self, self->state.parts, id, seat,
@@ -392,6 +403,7 @@ session(session_actor::stateful_pointer<session_state> self,
       },
       [=](const change_program& what) { return change_programs(self, what); },
       [=](const scripts_over& what) { end_scripts(self, what); },
+      [=](const rest_if_idle& what) { rest_if(self, what.idle); },
       [](const leave&) {},
       [=](const get_status& what) { return tell_session_status(self, what); });
 }

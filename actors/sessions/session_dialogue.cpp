@@ -53,6 +53,7 @@ dialogue::SessionOpened SessionDialogue::opened() const {
 void SessionDialogue::keep_state() {
   part_ = kept_.journal->hold();
   has_moved_ = has_gap_ = false;
+  inputs_in_state_ = inputs_;
   keep(dialogue::StateKept{opened(), inputs_, conversation_->save(), turns_});
 }
 
@@ -84,6 +85,7 @@ void SessionDialogue::turns_done(const TurnMeter::Answered& answered,
 }
 
 void SessionDialogue::take(dialogue::SessionInput input, Timestamp now) {
+  wake();
   if (!kept_.journal)
     return dialogue::take(*conversation_, std::move(input), now);
   // Before it is dealt with: the conversation may take it apart.
@@ -125,6 +127,36 @@ dialogue::Port& SessionDialogue::seen(SessionPort& port) {
   return *recording_;
 }
 
+// -- rest ---------------------------------------------------------------------
+
+bool SessionDialogue::may_rest(Timestamp now) const {
+  return conversation_ && !change_ && conversation_->is_at_rest(now) &&
+         !conversation_->expects_outcome() && port_->effects().none();
+}
+
+// The journal has a state of it, from which a recovery takes less time.
+void SessionDialogue::rest() {
+  if (kept_.journal && inputs_ != inputs_in_state_)
+    keep_state();
+  at_rest_ = conversation_->save();
+  at_rest_.shrink_to_fit();
+  conversation_ = nullptr;
+  port_->end_frames();
+}
+
+// The program is the same, and so the bytes are good.
+void SessionDialogue::wake() {
+  if (conversation_)
+    return;
+  dialogue::Port* port = port_.get();
+  if (recording_)
+    port = recording_.get();
+  conversation_ =
+      dialogue::Conversation::restore(program_, options_, *port, at_rest_)
+          .value();
+  at_rest_ = {};
+}
+
 // -- another port -------------------------------------------------------------
 
 // The conversation before ends only when the next one is there, as an error
@@ -162,6 +194,7 @@ void SessionDialogue::keep_state_behind_gap() {
 }
 
 void SessionDialogue::end_scripts(Timestamp now) {
+  wake();
   conversation_->end_scripts(now);
   keep_state_behind_gap();
 }
@@ -192,6 +225,8 @@ std::vector<std::string> SessionDialogue::go_over(Timestamp now) {
 }
 
 std::string SessionDialogue::doing() const {
+  if (!conversation_)
+    return "is at rest";
   if (conversation_->ended())
     return "has ended";
   const auto state = conversation_->state();

@@ -54,7 +54,9 @@ public:
   // It has ended: the manager is told, and what works for it ends.
   void close(std::vector<Message> unread);
 
-  const dialogue::Conversation& conversation() const {
+  // Where it rests, this brings it back.
+  const dialogue::Conversation& conversation() {
+    wake();
     return *conversation_;
   }
   SessionPort& port() {
@@ -73,6 +75,14 @@ public:
   // stays. An error leaves all as it was.
   Expected<void> renew(Timestamp now);
 
+  // -- rest (engine rule 7.14)
+
+  // Nothing goes on, here or with others, of which it has to hear first.
+  bool may_rest(Timestamp now) const;
+  // The conversation is written down and ends, and so do its topics' frames.
+  // Whatever comes next finds it as it was.
+  void rest();
+
   // -- another program (engine rule 7.13)
 
   // It is to go over to this as soon as it may; the last one counts.
@@ -84,8 +94,8 @@ public:
     return change_;
   }
   // There is a change, and nothing is going on that has no counterpart there.
-  bool may_go_over(Timestamp now) const {
-    return change_ && conversation_->is_at_rest(now);
+  bool may_go_over(Timestamp now) {
+    return change_ && conversation().is_at_rest(now);
   }
   // What keeps it from that, as far as it waits in scripts, ends with an error.
   void end_scripts(Timestamp now);
@@ -101,6 +111,7 @@ public:
   }
 
 private:
+  void wake();
   // The port, as the conversation sees it.
   dialogue::Port& seen(SessionPort& port);
   // Appends a record; notes where it stands, or that it was lost.
@@ -118,7 +129,8 @@ private:
   dialogue::ConversationOptions options_;
   const MakePort make_port_;
   const JournalUse kept_;
-  std::uint64_t inputs_ = 0; // that it has taken
+  std::uint64_t inputs_ = 0;          // that it has taken
+  std::uint64_t inputs_in_state_ = 0; // those that the last state knows
   dialogue::TurnLog turns_;
   std::uint64_t last_record_ = 0; // of this session in the journal
   // Where its last state, or its beginning, stands in the journal.
@@ -128,8 +140,9 @@ private:
   std::shared_ptr<const ProgramChange> change_; // null: none
   // Both before the conversation, which they outlive.
   std::unique_ptr<SessionPort> port_;
-  std::unique_ptr<dialogue::RecordingPort> recording_; // null: no journal
-  std::unique_ptr<dialogue::Conversation> conversation_;
+  std::unique_ptr<dialogue::RecordingPort> recording_;   // null: no journal
+  std::unique_ptr<dialogue::Conversation> conversation_; // null: it rests
+  std::string at_rest_; // what it is made from then
 };
 
 } // namespace parlour::actors

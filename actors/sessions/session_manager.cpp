@@ -347,6 +347,24 @@ reload_promise reload(Self self, const reload_program& what) {
   return promise;
 }
 
+// -- rest ---------------------------------------------------------------------
+
+// So a session rests when it has been idle for up to one and a half times
+// `rest-after`. 0: never.
+void look_again(Self self) {
+  const auto idle = self->state.parts->program->settings.sessions.rest_after;
+  if (idle > Milliseconds::zero())
+    self->delayed_send(self, std::max(idle / 2, Milliseconds(1)),
+                       look_for_idle{});
+}
+
+void send_to_rest(Self self) {
+  const auto idle = self->state.parts->program->settings.sessions.rest_after;
+  for (const auto& [id, entry] : self->state.sessions)
+    self->send(entry.session, rest_if_idle{idle});
+  look_again(self);
+}
+
 std::vector<ActorHandle> visitors_of(const session_manager_state& state) {
   std::vector<ActorHandle> all;
   for (const auto& [name, seat] : state.visits)
@@ -366,6 +384,7 @@ session_manager_actor::behavior_type session_manager(
   self->state.names = std::move(names);
   self->set_down_handler(
       [=](const caf::down_msg& down) { notice_loss(self, down); });
+  look_again(self);
   return traced<session_manager_actor::behavior_type>(
       ActorTrace(self->state.parts->observer, session_manager_state::name, ""),
       [=](const open_session& what) {
@@ -380,6 +399,7 @@ session_manager_actor::behavior_type session_manager(
       },
       [=](const begin_visit& what) { begin(self, what); },
       [=](const end_visit& what) { end(self, what); },
+      [=](const look_for_idle&) { send_to_rest(self); },
       [=](const reload_program& what) { return reload(self, what); },
       [=](const get_status& what) {
         const auto& state = self->state;

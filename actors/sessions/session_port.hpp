@@ -93,6 +93,8 @@ public:
   void turn_begins(std::uint64_t number) {
     turn_ = number;
   }
+  // The topics' frames end; those that are needed again are spawned again.
+  void end_frames();
   // The session goes over to another program: its topics' frames are others.
   void go_over(std::shared_ptr<const SessionParts> parts);
   // The same for one that begins again: nothing works for the one before.
@@ -136,7 +138,6 @@ private:
   void end_timer(const Timer& timer);
   // Ends timers, queries, sockets and frames.
   void end_all();
-  void end_frames();
   // Valid until end_all().
   const topic_frame_actor& frame_of(script::TopicId topic);
   Timestamp due_at(Milliseconds after) const;

@@ -121,6 +121,7 @@ public:
               [](const record_written&) {},
               [](const change_program&) { return program_changed(); },
               [](const scripts_over&) {},
+              [](const rest_if_idle&) {},
               [=](const leave&) { self->quit(); },
               no_status,
           };

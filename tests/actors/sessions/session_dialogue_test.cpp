@@ -1,3 +1,4 @@
+#include "actors/sessions/session.hpp"
 #include "actors/sessions/session_dialogue.hpp"
 #include "script/dialogue/inputs/recovery.hpp"
 #include "tests/actors/node_fixture.hpp"
@@ -62,6 +63,89 @@ TEST_F(SessionDialogueTest, EndsAsUsual) {
   start_with("<speak param='Bye.'/><end/>");
   EXPECT_THAT(say({"bye"}), ElementsAre("Bye."));
   EXPECT_TRUE(node->session_at(seat).empty());
+}
+
+// -- rest ---------------------------------------------------------------------
+
+// Engine rule 7.14.
+class RestingSessionTest : public NodeFixture {
+protected:
+  void start_with(const std::string& statements) {
+    start("<var name='tally' expr='0'/>"
+          "<handler name='Pipeline'><messages><component>"
+          "<ASR><RecognitionResult><set name='tally' expr='tally + 1'/>" +
+              statements +
+              "</RecognitionResult></ASR></component></messages></handler>",
+          "<sessions rest-after='10s' closes-after='1h'/>");
+  }
+  bool rests() {
+    for (const auto& one : node->status())
+      if (one.kind == session_state::name && one.name == session())
+        return one.doing == "is at rest";
+    return false;
+  }
+  SessionId session() const {
+    return node->session_at(seat);
+  }
+};
+
+TEST_F(RestingSessionTest, GoesOnAsItWas) {
+  start_with("<speak param='{tally}.'/>");
+  EXPECT_THAT(say({"a"}), ElementsAre("1."));
+  const auto id = session();
+  EXPECT_FALSE(rests());
+  node->advance(9s);
+  EXPECT_FALSE(rests());
+  node->advance(6s);
+  EXPECT_TRUE(rests());
+  EXPECT_THAT(say({"b"}), ElementsAre("2."));
+  EXPECT_FALSE(rests());
+  EXPECT_EQ(session(), id);
+  node->advance(15s);
+  EXPECT_TRUE(rests());
+}
+
+TEST_F(RestingSessionTest, IsRungByItsTimers) {
+  start_with("<timer name='egg' after='1m'><speak param='Done.'/></timer>");
+  say({"an egg"});
+  node->advance(59s);
+  EXPECT_TRUE(rests());
+  EXPECT_THAT(said(), IsEmpty());
+  node->advance(1s);
+  EXPECT_THAT(said(), ElementsAre("Done."));
+  EXPECT_FALSE(rests());
+}
+
+TEST_F(RestingSessionTest, IsNoneThatWaitsForSomebody) {
+  options.components = {component("Shelf", "Database", [](auto&, auto&) {})};
+  start("<handler name='Pipeline'><messages><component>"
+        "<ASR><RecognitionResult><querydb param='select 1'/>"
+        "</RecognitionResult></ASR></component></messages></handler>",
+        "<sessions rest-after='1s' closes-after='1h' request-timeout='1m'/>");
+  say({"look"});
+  node->advance(30s);
+  EXPECT_FALSE(rests());
+}
+
+TEST_F(RestingSessionTest, EndsAsUsual) {
+  start("<handler name='Pipeline'><messages><component>"
+        "<Session><Ended><speak param='Bye.'/></Ended></Session>"
+        "</component></messages></handler>",
+        "<sessions rest-after='10s' closes-after='1m'/>");
+  say({"hello"});
+  node->advance(30s);
+  EXPECT_TRUE(rests());
+  node->advance(31s);
+  EXPECT_TRUE(session().empty());
+  EXPECT_THAT(said(), ElementsAre("Bye."));
+}
+
+TEST_F(RestingSessionTest, NeverRestsWhereItIsToldSo) {
+  start(echo, "<sessions rest-after='0s' closes-after='10h'/>");
+  say({"hello"});
+  node->advance(1h);
+  EXPECT_FALSE(rests());
+  EXPECT_THAT(say({"a"}), ElementsAre("You said: a"));
 }
 
 // -- the journal --------------------------------------------------------------

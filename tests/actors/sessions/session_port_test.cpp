@@ -53,6 +53,7 @@ protected:
               [](const record_written&) {},
               [](const change_program&) { return program_changed(); },
               [](const scripts_over&) {},
+              [](const rest_if_idle&) {},
               [](const leave&) {},
               no_status,
           };

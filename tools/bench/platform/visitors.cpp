@@ -39,6 +39,10 @@ void Visitors::open(std::size_t count) {
   }
 }
 
+void Visitors::wait(Milliseconds time) {
+  node_->advance(time);
+}
+
 void Visitors::say(const std::vector<std::string>& turns) {
   for (const auto& seat : seats_) {
     node_->enter(seat, turns);

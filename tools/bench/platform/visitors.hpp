@@ -23,6 +23,8 @@ public:
 
   // So many more open a conversation each.
   void open(std::size_t count);
+  // Nobody says anything for so long.
+  void wait(Milliseconds time);
   // Everybody says this, one after the other, and is answered.
   void say(const std::vector<std::string>& turns);
 

@@ -31,6 +31,7 @@ TEST_F(PlatformBench, TellsItsFigures) {
   EXPECT_TRUE(call()) << out.str() << err.str();
   EXPECT_THAT(out.str(), AllOf(HasSubstr("for each of the first 2,"),
                                HasSubstr("KiB for each of 20 that wait"),
+                               HasSubstr("KiB for each of 20 at rest"),
                                HasSubstr("turns a second with 20 open"),
                                HasSubstr("0 were told something else")));
 }

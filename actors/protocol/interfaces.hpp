@@ -380,8 +380,11 @@ struct session_gone {
   std::vector<Message> unread = {};
 };
 
-// Tell the sessions that are idle to rest; the manager sends this to itself.
-struct look_for_idle {};
+// Tell sessions to rest if they are idle, some at a time; the manager sends
+// this to itself.
+struct look_for_idle {
+  SessionId behind; // the last one that was told; empty: begin with the first
+};
 
 using session_manager_actor =
     caf::typed_actor<caf::replies_to<open_session>::with<session_opened>,

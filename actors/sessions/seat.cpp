@@ -27,48 +27,57 @@ bool call_out(const SeatParts& parts, const char* what, Call call) {
 // The tool's callbacks run on the seat's own actor: a slow one delays this seat
 // alone.
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
-                               SeatParts parts, SeatCalls calls) {
+                               SeatParts given, SeatCalls calls) {
+  self->state.parts = std::move(given);
+  self->state.calls = std::move(calls);
   return traced<seat_actor::behavior_type>(
-      ActorTrace(*parts.observer, seat_state::name, parts.name),
+      ActorTrace(*self->state.parts.observer, seat_state::name,
+                 self->state.parts.name),
       [=](const say& what) {
-        if (parts.time->left_behind)
+        auto& state = self->state;
+        if (state.parts.time->left_behind)
           return;
-        self->state.session = what.session;
+        state.session = what.session;
         const bool shown =
-            call_out(parts, "a seat did not show what was said: ", [&] {
-              if (calls.on_say)
-                calls.on_say(what.session, *what.output);
+            call_out(state.parts, "a seat did not show what was said: ", [&] {
+              if (state.calls.on_say)
+                state.calls.on_say(what.session, *what.output);
             });
-        if (auto session = parts.sessions->find(what.session))
-          self->send(session, output_done{what.output->id, shown, what.work});
+        if (auto speaker = state.parts.sessions->find(what.session))
+          self->send(speaker, output_done{what.output->id, shown, what.work});
       },
       [=](const session_over& what) {
-        if (self->state.session == what.session)
-          self->state.session.clear();
-        call_out(parts, "a seat did not take its session's end: ", [&] {
-          if (calls.on_over)
-            calls.on_over(what.session);
+        auto& state = self->state;
+        if (state.session == what.session)
+          state.session.clear();
+        call_out(state.parts, "a seat did not take its session's end: ", [&] {
+          if (state.calls.on_over)
+            state.calls.on_over(what.session);
         });
       },
       [=](const next_session& what) {
-        call_out(parts, "a seat did not take its next session: ", [&] {
-          if (calls.on_next)
-            calls.on_next(what.session);
+        auto& state = self->state;
+        call_out(state.parts, "a seat did not take its next session: ", [&] {
+          if (state.calls.on_next)
+            state.calls.on_next(what.session);
         });
       },
       [=](const turns_done& what) {
-        call_out(parts, "a seat did not take that its turns are done: ", [&] {
-          if (calls.on_turns_done)
-            calls.on_turns_done(what.session, what.turn);
-        });
+        auto& state = self->state;
+        call_out(state.parts,
+                 "a seat did not take that its turns are done: ", [&] {
+                   if (state.calls.on_turns_done)
+                     state.calls.on_turns_done(what.session, what.turn);
+                 });
       },
       [=](const leave_seat&) { self->quit(); },
       [=](const get_status& what) {
-        const auto& session = self->state.session;
-        return tell_status(self, what,
-                           {parts.name, session.empty()
-                                            ? "waits"
-                                            : "shows session " + session});
+        auto& state = self->state;
+        return tell_status(
+            self, what,
+            {state.parts.name, state.session.empty()
+                                   ? "waits"
+                                   : "shows session " + state.session});
       });
 }
 

@@ -9,11 +9,6 @@
 
 namespace parlour::actors {
 
-struct seat_state {
-  static inline const char* name = "seat";
-  SessionId session; // that spoke here last; empty: it is over
-};
-
 // Called on the seat's own actor thread, one at a time. What they throw is
 // logged.
 struct SeatCalls {
@@ -32,6 +27,14 @@ struct SeatParts {
   Observer* observer = nullptr;
   const SessionDirectory* sessions = nullptr;
   std::string name = {};
+};
+
+// All that it has: its handlers, of which each seat has its own, keep nothing.
+struct seat_state {
+  static inline const char* name = "seat";
+  SeatParts parts;
+  SeatCalls calls;
+  SessionId session; // that spoke here last; empty: it is over
 };
 
 // Each output is answered by output_done, also where it could not be shown: the

@@ -296,6 +296,44 @@ void end(Self self, const end_visit& what) {
   self->send(state.sessions[session].session, end_session{what.work});
 }
 
+// -- rest ---------------------------------------------------------------------
+
+// To write one down takes some 50 µs: turns do not wait for many of them.
+constexpr std::size_t told_to_rest_at_once = 128;
+constexpr Milliseconds between_those{10};
+
+Milliseconds rest_after(Self self) {
+  return self->state.parts->program->settings.sessions.rest_after;
+}
+
+void look_after(Self self, Milliseconds time, SessionId behind = {}) {
+  self->delayed_send(self, time, look_for_idle{std::move(behind)});
+}
+
+// All are looked at twice in `rest-after`; so a session rests when it has been
+// idle for up to one and a half times that long. 0: never.
+void begin_to_look(Self self) {
+  if (const auto idle = rest_after(self); idle > Milliseconds::zero())
+    look_after(self, std::max(idle / 2, between_those));
+}
+
+void send_to_rest(Self self, const SessionId& behind) {
+  if (rest_after(self) == Milliseconds::zero()) // by other scripts
+    return;
+  const auto& sessions = self->state.sessions;
+  auto next = sessions.upper_bound(behind);
+  SessionId last;
+  for (std::size_t told = 0;
+       told < told_to_rest_at_once && next != sessions.end(); ++told, ++next) {
+    self->send(next->second.session, rest_if_idle{rest_after(self)});
+    last = next->first;
+  }
+  if (next == sessions.end())
+    begin_to_look(self);
+  else
+    look_after(self, between_those, last);
+}
+
 // -- another program ----------------------------------------------------------
 
 using reload_promise = caf::typed_response_promise<program_reloaded>;
@@ -325,7 +363,10 @@ reload_promise reload(Self self, const reload_program& what) {
   auto parts = std::make_shared<SessionParts>(*state.parts);
   parts->program = what.program;
   parts->phrases = what.phrases;
+  const bool looks = rest_after(self) > Milliseconds::zero();
   state.parts = std::move(parts);
+  if (!looks)
+    begin_to_look(self);
   auto reloading = std::make_shared<Reloading>(
       Reloading{self->make_response_promise<program_reloaded>(), 1});
   if (what.mode != ReloadMode::new_only) {
@@ -347,24 +388,6 @@ reload_promise reload(Self self, const reload_program& what) {
   return promise;
 }
 
-// -- rest ---------------------------------------------------------------------
-
-// So a session rests when it has been idle for up to one and a half times
-// `rest-after`. 0: never.
-void look_again(Self self) {
-  const auto idle = self->state.parts->program->settings.sessions.rest_after;
-  if (idle > Milliseconds::zero())
-    self->delayed_send(self, std::max(idle / 2, Milliseconds(1)),
-                       look_for_idle{});
-}
-
-void send_to_rest(Self self) {
-  const auto idle = self->state.parts->program->settings.sessions.rest_after;
-  for (const auto& [id, entry] : self->state.sessions)
-    self->send(entry.session, rest_if_idle{idle});
-  look_again(self);
-}
-
 std::vector<ActorHandle> visitors_of(const session_manager_state& state) {
   std::vector<ActorHandle> all;
   for (const auto& [name, seat] : state.visits)
@@ -384,7 +407,7 @@ session_manager_actor::behavior_type session_manager(
   self->state.names = std::move(names);
   self->set_down_handler(
       [=](const caf::down_msg& down) { notice_loss(self, down); });
-  look_again(self);
+  begin_to_look(self);
   return traced<session_manager_actor::behavior_type>(
       ActorTrace(self->state.parts->observer, session_manager_state::name, ""),
       [=](const open_session& what) {
@@ -399,7 +422,7 @@ session_manager_actor::behavior_type session_manager(
       },
       [=](const begin_visit& what) { begin(self, what); },
       [=](const end_visit& what) { end(self, what); },
-      [=](const look_for_idle&) { send_to_rest(self); },
+      [=](const look_for_idle& what) { send_to_rest(self, what.behind); },
       [=](const reload_program& what) { return reload(self, what); },
       [=](const get_status& what) {
         const auto& state = self->state;

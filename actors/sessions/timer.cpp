@@ -10,24 +10,32 @@ namespace parlour::actors {
 timer_actor::behavior_type
 timer(timer_actor::stateful_pointer<timer_state> self, NodeTime* time,
       MessageBus* bus, session_actor session, TimerOrder order) {
-  self->state.ticket = DueTicket(time->due_times, order.due);
+  self->state = {DueTicket(time->due_times, order.due),
+                 time,
+                 bus,
+                 std::move(session),
+                 order.id,
+                 time->now() + order.after.count()};
   if (order.after > Milliseconds::zero())
     self->delayed_send(self, order.after, timer_expired{});
   else
     self->send(self, timer_expired{});
   return traced<timer_actor::behavior_type>(
-      order.trace,
+      std::move(order.trace),
       [=](const timer_expired&) {
+        auto& state = self->state;
         // The session's work begins before the due time goes with this actor.
-        bus->ring(session, {order.id, time->work.begin()});
+        state.bus->ring(state.session, {state.id, state.time->work.begin()});
         self->quit();
       },
       [=](const cancel_timer&) { self->quit(); },
-      [=, due = time->now() + order.after.count()](const get_status& what) {
-        return tell_status(
-            self, what,
-            {std::to_string(order.id),
-             "rings in " + std::to_string(due - time->now()) + " ms"});
+      [=](const get_status& what) {
+        const auto& state = self->state;
+        return tell_status(self, what,
+                           {std::to_string(state.id),
+                            "rings in " +
+                                std::to_string(state.due - state.time->now()) +
+                                " ms"});
       });
 }
 

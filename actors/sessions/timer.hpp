@@ -9,17 +9,23 @@
 
 namespace parlour::actors {
 
-struct timer_state {
-  static inline const char* name = "timer";
-  DueTicket ticket;
-};
-
 // What SessionPort::start_timer hands over; `due` is in NodeTime already.
 struct TimerOrder {
   std::uint64_t id = 0; // what the session calls it
   Milliseconds after{0};
   DueTimes::Id due = 0;
   ActorTrace trace = {};
+};
+
+// All that it has: its handlers, of which each timer has its own, keep nothing.
+struct timer_state {
+  static inline const char* name = "timer";
+  DueTicket ticket;
+  NodeTime* time = nullptr;
+  MessageBus* bus = nullptr;
+  session_actor session;
+  std::uint64_t id = 0;
+  Timestamp due = 0;
 };
 
 timer_actor::behavior_type

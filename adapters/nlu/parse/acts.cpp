@@ -52,6 +52,7 @@ public:
     drop_negated();
     drop_doubtful(acts_, chain, utterance_, context_);
     drop_courtesies();
+    drop_needless_yes();
     return std::move(acts_);
   }
 
@@ -268,6 +269,20 @@ private:
     if (std::ranges::any_of(
             acts_, [](const BuiltAct& act) { return act.topic != no_topic; }))
       std::erase_if(acts_, [](const BuiltAct& act) { return act.negated; });
+  }
+
+  // "Yes, with a wheelchair", to a question that no yes answers.
+  void drop_needless_yes() {
+    const bool answers = context_.confirms.empty() &&
+                         context_.asked_topic != no_topic &&
+                         std::ranges::any_of(acts_, [&](const BuiltAct& act) {
+                           return act.topic == context_.asked_topic &&
+                                  find(act.fills, context_.asked_slot);
+                         });
+    if (answers)
+      std::erase_if(acts_, [](const BuiltAct& act) {
+        return act.topic == no_topic && act.act == "confirm";
+      });
   }
 
   void drop_courtesies() {

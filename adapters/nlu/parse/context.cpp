@@ -48,8 +48,9 @@ double Context::bonus(TopicNumber topic) const {
     return 0;
   if (topic == current)
     return 0.2;
-  // A topic that is resting or unfinished is half as likely as the current one.
-  const bool waits = topic == resting ||
+  // What was just spoken about, or is to be spoken about again, is half as
+  // likely as the current topic.
+  const bool waits = topic == resting || topic == completed ||
                      std::ranges::find(unfinished, topic) != unfinished.end();
   return waits ? 0.1 : 0;
 }
@@ -65,6 +66,7 @@ Context read_context(const Value& context, const Schema& schema) {
   read_said(context["said"], schema, read);
   read.current = schema.topic(context["current"].text());
   read.resting = schema.topic(context["resting"].text());
+  read.completed = schema.topic(context["completed"].text());
   if (const auto* unfinished = context["unfinished"].if_list())
     for (const auto& name : *unfinished)
       if (const auto topic = schema.topic(name.text()); topic != no_topic)

@@ -20,6 +20,7 @@ struct Context {
   TopicNumber current = no_topic;
   TopicNumber resting = no_topic;
   std::vector<TopicNumber> unfinished;
+  TopicNumber completed = no_topic; // last
   // The only grammar to be tried; empty: all.
   std::string grammar;
   // The words of the question to which a yes or no is expected; empty: none.
@@ -29,7 +30,8 @@ struct Context {
   Now now;
 
   // What an act about the topic gets for being expected (understanding,
-  // "Score"): 0.2 for the current topic, 0.1 for a resting or unfinished one.
+  // "Score"): 0.2 for the current topic, 0.1 for a resting or unfinished one,
+  // or the one that was completed last.
   double bonus(TopicNumber topic) const;
   // Whether the conversation is at it: it is asked for, current or unfinished.
   bool goes_on(TopicNumber topic) const;

@@ -190,6 +190,26 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
   });
 }
 
+// At its beginning it may be one: "wait, where is the bank", and where the rule
+// takes any words, these may be the act's.
+void leave_out_acts_inside(std::vector<Island>& islands) {
+  const auto says_it_itself = [](const Island& island) {
+    return island.is_content() && !island.weak && !island.rule->bare &&
+           std::ranges::none_of(island.fills, &Fill::open);
+  };
+  std::vector<TokenRange> said;
+  for (const auto& island : islands)
+    if (says_it_itself(island))
+      said.push_back({island.begin, island.end});
+  std::erase_if(islands, [&](const Island& island) {
+    const bool is_act = !island.is_content() && !island.act.empty() &&
+                        !island.is_marker() && island.act != "confirm";
+    return is_act && std::ranges::any_of(said, [&](TokenRange range) {
+             return range.begin < island.begin && island.end <= range.end;
+           });
+  });
+}
+
 void trust_whole_values(std::vector<Island>& islands,
                         const Utterance& utterance, const Spans& spans) {
   const auto is_whole = [&](const Island& island) {

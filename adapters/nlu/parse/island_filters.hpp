@@ -34,6 +34,10 @@ void leave_out_unnamed(std::vector<Island>& islands, const Utterance& utterance,
 void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
                        const Spans& spans, const Context& context);
 
+// Takes out an act about the conversation that is a part of what a rule of the
+// application says: "stop" in "the bus stop".
+void leave_out_acts_inside(std::vector<Island>& islands);
+
 // A value that is all that was said means something, though its words are plain
 // ones: "Coffee?". Not a number or time: without a question they are anything.
 void trust_whole_values(std::vector<Island>& islands,

@@ -16,6 +16,9 @@ constexpr double alternative_range = 0.1;
 // For how many topics slots are looked for, beside those that the context
 // prefers.
 constexpr std::size_t max_topics = 4;
+// What a task needs above the threshold to be begun by words alone: who asks
+// "how old are you" wants no taxi.
+constexpr double task_without_values = 0.1;
 
 // Whether the fill uses one of these tokens.
 bool overlap(const Fill& fill, std::uint32_t begin, std::uint32_t end) {
@@ -304,7 +307,9 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
                     .run(learned.slots(hypothesis.topic, features));
     act.end = static_cast<std::uint32_t>(utterance.size());
     act.score = probability + bonus_of(act, context);
-    if (act.score >= threshold)
+    const bool begins = !topic.enquiry && act.fills.empty() &&
+                        max_bonus(hypothesis.topic, context) == 0;
+    if (act.score >= threshold + (begins ? task_without_values : 0))
       acts.push_back(std::move(act));
   }
   std::ranges::stable_sort(acts, std::greater(), &BuiltAct::score);

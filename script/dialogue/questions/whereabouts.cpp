@@ -35,6 +35,9 @@ ClassifierContext Whereabouts::classifier_context() const {
       frames_.order().current().value_or(confirmations_.completing());
   context.resting = frames_.resting().value_or(script::no_id);
   context.unfinished = frames_.order().suspended();
+  if (const auto latest = frames_.order().latest();
+      latest && frames_[*latest].status == TopicStatus::completed)
+    context.completed = *latest;
   context.unregistered = frames_.order().deaf();
   return context;
 }
@@ -105,6 +108,8 @@ Value Whereabouts::understanding_context() const {
   for (auto topic : context.unfinished)
     unfinished.push_back(name(topic));
   result.set("unfinished", unfinished);
+  if (context.completed != script::no_id)
+    result.set("completed", name(context.completed));
   if (const auto& grammar = narrowing_grammar(context); !grammar.empty())
     result.set("grammar", grammar);
   if (const auto* question = yes_or_no_asked())

@@ -55,6 +55,7 @@ TopicId by_slots(const script::Program& program, const Act& act,
     consider(topic);
   for (auto topic : context.unfinished)
     consider(topic);
+  consider(context.completed);
   for (TopicId topic = 0; topic < program.topics.size(); ++topic)
     consider(topic);
   return best;

@@ -21,12 +21,14 @@ struct ClassifierContext {
   TopicId current = script::no_id;
   TopicId resting = script::no_id;
   std::span<const TopicId> unfinished{};
+  TopicId completed = script::no_id;   // the latest, if nothing came after it
   std::vector<TopicId> unregistered{}; // never chosen
 };
 
 // A registered topic that the act names stands. Else the topic that has most of
 // the act's slots; of equals the one being asked, then the current, the
-// resting, an unfinished one, then any in file order. Without slots: the topic
+// resting, an unfinished one, the one that was completed last, then any in file
+// order. Without slots: the topic
 // being asked; an elliptical turn also the resting or current one. no_id where
 // nothing fits. "At three." -> the topic that asks, if it has a slot for a
 // time.

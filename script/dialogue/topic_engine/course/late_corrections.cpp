@@ -52,7 +52,7 @@ LateCorrections::Outcome LateCorrections::judge(TopicId topic,
   const auto& declared = context_.topic(topic);
   if (act.kind != ActKind::inform || frames_.resting() ||
       !has_own_repair(topic, "correct") ||
-      (act.topic != declared.name && !act.elliptical))
+      (act.topic != declared.name && !act.topic.empty() && !act.elliptical))
     return Outcome::no_concern;
   bool says_again = true;
   for (const auto& said : act.slots) {

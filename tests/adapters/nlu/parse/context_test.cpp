@@ -22,6 +22,7 @@ TEST_F(ContextTest, IsReadByNames) {
             {"current", "Appointment"},
             {"resting", "Facility"},
             {"unfinished", List{"Taxi", "Appointment"}},
+            {"completed", "Taxi"},
             {"grammar", "desk"},
             {"now", sample_now()}});
   EXPECT_EQ(context.asked_topic, 0U);
@@ -30,6 +31,7 @@ TEST_F(ContextTest, IsReadByNames) {
   EXPECT_EQ(context.current, 0U);
   EXPECT_EQ(context.resting, 1U);
   EXPECT_EQ(context.unfinished, (std::vector<TopicNumber>{2, 0}));
+  EXPECT_EQ(context.completed, 2U);
   EXPECT_EQ(context.grammar, "desk");
   EXPECT_EQ(context.now, sample_now());
 }

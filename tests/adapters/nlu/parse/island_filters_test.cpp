@@ -53,5 +53,23 @@ TEST(IslandFilters, LeaveOutStrangersOfAnotherTopic) {
   EXPECT_EQ(kept("I come with clients"), Lines{"clients"});
 }
 
+// "stop" by itself is an act, and one behind what a rule reads is, too.
+TEST(IslandFilters, LeaveOutActsThatArePartsOfWhatIsAsked) {
+  const auto acts = [](const char* text) {
+    Stages stages(R"(
+      public <stop> = stop {act=cancel};
+      public <ask> = where is the bus stop {act=request} {topic=Facility};
+      public <halt> = stop at the bank {act=request} {topic=Facility};)",
+                  text);
+    auto islands = stages.islands;
+    leave_out_acts_inside(islands);
+    return std::ranges::count(islands, "cancel", &Island::act);
+  };
+  EXPECT_EQ(acts("where is the bus stop"), 0);
+  EXPECT_EQ(acts("where is the bus stop stop"), 1);
+  EXPECT_EQ(acts("stop at the bank"), 1);
+  EXPECT_EQ(acts("stop"), 1);
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

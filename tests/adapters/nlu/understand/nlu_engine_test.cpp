@@ -55,7 +55,13 @@ INSTANTIATE_TEST_SUITE_P(
         Turn{"", "are there... is there bank?",
              "request Facility Category=bank"},
         Turn{"", "please book a ride to Orchard Road at 5pm",
-             "inform Taxi Destination=Orchard Road Time=17:00"}));
+             "inform Taxi Destination=Orchard Road Time=17:00"},
+        Turn{"Appointment.Time", "yes, half past two",
+             "~inform Appointment Time=14:30"},
+        Turn{"Taxi.Destination", "to the airport of course",
+             "~inform Taxi Destination=the airport"},
+        Turn{"", "there's a bank on the first floor, isn't it?",
+             "request Facility Category=bank Location=1"}));
 
 // What is said beside an answer speaks against it.
 INSTANTIATE_TEST_SUITE_P(

@@ -43,6 +43,11 @@ TEST_F(Classifier, AnUnknownOrUnregisteredNameIsNoName) {
 
 TEST_F(Classifier, PreferenceDecidesBetweenTopicsWithTheSlot) {
   EXPECT_EQ(of(act({"Time"})), app.appointment); // file order
+  context.completed = app.taxi;
+  EXPECT_EQ(of(act({"Time"})), app.taxi);
+  const std::array suspended{app.appointment};
+  context.unfinished = suspended;
+  EXPECT_EQ(of(act({"Time"})), app.appointment);
   const std::array unfinished{app.taxi};
   context.unfinished = unfinished;
   EXPECT_EQ(of(act({"Time"})), app.taxi);

@@ -18,5 +18,22 @@ TEST(LateCorrections, ACorrectionIsOfWhatWasJustDone) {
   EXPECT_EQ(world.slot("Taxi", "Street"), "High");
 }
 
+// "My number is 98765432" names no topic; the ride that was just booked has no
+// number yet.
+TEST(LateCorrections, WhatIsMissingThereIsOfWhatWasJustDone) {
+  World world(R"xml(
+    <topic name="Visit"><slot name="Phone" type="Functional"/></topic>
+    <topic name="Ride">
+      <slot name="Street" type="Functional"/>
+      <slot name="Phone"/>
+      <completed><speak param="It comes."/></completed>
+      <repair act="correct"><speak param="Noted."/></repair>
+    </topic>)xml");
+  world.say(inform("Ride", {{"Street", "Main"}}));
+  EXPECT_EQ(world.said(), Texts{"It comes."});
+  world.say(inform("", {{"Phone", "98765432"}}));
+  EXPECT_EQ(world.said(), Texts{"Noted."});
+}
+
 } // namespace
 } // namespace parlour::dialogue

@@ -105,14 +105,14 @@ insert into place (name, floor, opens, closes, price, description) values
   ('car park', -1, '00:00', '24:00', 'eighteen euros a day', 'The car park is in basement one.'),
   ('luggage room', 0, '00:00', '24:00', 'nothing', 'The luggage room is on the ground floor, behind the reception.'),
   ('terrace', 4, '08:00', '22:00', '', 'The terrace is on the fourth floor, behind the swimming pool.'),
-  ('reception', 0, '00:00', '24:00', '', 'The reception is on the ground floor, opposite the entrance.'),
+  ('reception', 0, '00:00', '24:00', '', 'The reception is on the ground floor, opposite the entrance. Its extension is 9.'),
   ('conference room', 1, '08:00', '20:00', 'forty euros an hour', 'The conference room is on the first floor, at the end of the corridor.'),
   ('lift', 0, '00:00', '24:00', '', 'The lift is on the ground floor, to the right of the reception.');
 
 insert into fact (thing, answer) values
   ('wifi', 'The wifi is free. Its name is Harbour, and the password is on the card of your room.'),
-  ('check-in', 'Your room is ready from three in the afternoon. Before that you can leave your luggage with us.'),
-  ('check-out', 'Please leave your room by eleven on the day of departure. Until two costs twenty euros more, at the reception.'),
+  ('arrival', 'Your room is ready from three in the afternoon. Before that you can leave your luggage with us.'),
+  ('departure', 'Please leave your room by eleven on the day of departure. Until two costs twenty euros more, at the reception.'),
   ('smoking', 'Nobody smokes in the house. There is a place for it on the terrace on the fourth floor, until ten in the evening.'),
   ('pets', 'Small dogs are welcome, for ten euros a night.'),
   ('taxi', 'The reception calls a taxi for you: extension 9. To the airport it takes half an hour.'),

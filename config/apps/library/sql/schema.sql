@@ -52,7 +52,8 @@ create table house_rule (
   answer varchar(255) not null
 ) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
 
--- What readers are told: how many copies stand on the shelf, how many wait.
+-- What readers are told: how many copies stand on the shelf, how many wait, when
+-- the first copy comes back, and on which floor it is, where that is known.
 create view catalogue as
   select id, title, author, subject, form, shelf,
          copies
@@ -62,5 +63,10 @@ create view catalogue as
                 and reservation.status = 'ready') as free,
          (select count(*) from reservation
           where reservation.book = book.id
-            and reservation.status = 'waiting') as waiting
+            and reservation.status = 'waiting') as waiting,
+         (select min(due) from loan where loan.book = book.id) as due,
+         (select floor from place
+          where (form <> 'book' and name = 'films')
+             or (form = 'book' and subject = 'children'
+                 and name = 'children''s library')) as floor
   from book;

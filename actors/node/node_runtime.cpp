@@ -127,8 +127,7 @@ SessionParts NodeRuntime::session_parts() {
   if (options_.restores_after_each_input)
     parts.after_input = [](SessionDialogue& dialogue, Timestamp now) {
       auto renewed = dialogue.renew(now);
-      if (dialogue.may_rest(now))
-        dialogue.rest();
+      dialogue.rest_if_idle(Milliseconds::zero(), now);
       return renewed;
     };
   return parts;

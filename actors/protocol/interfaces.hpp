@@ -22,6 +22,7 @@
 #include "actors/protocol/host_calls.hpp"
 #include "actors/protocol/in_flight.hpp"
 #include "actors/protocol/reload.hpp"
+#include "actors/protocol/rest.hpp"
 #include "actors/protocol/session_questions.hpp"
 #include "actors/protocol/visits.hpp"
 #include "runtime/base/clock.hpp"
@@ -95,11 +96,6 @@ struct end_session {
 struct record_written {
   std::uint64_t record;
   InFlight work;
-};
-// Where nothing has come for so long, and nothing goes on: be written down, to
-// take less memory, until something comes (engine rule 7.14).
-struct rest_if_idle {
-  Milliseconds idle;
 };
 // The session has ended, and nothing is on its way to it any more: quit.
 struct leave {
@@ -380,21 +376,13 @@ struct session_gone {
   std::vector<Message> unread = {};
 };
 
-// Tell sessions to rest if they are idle, some at a time; the manager sends
-// this to itself.
-struct look_for_idle {
-  SessionId behind; // the last one that was told; empty: begin with the first
-};
-
-using session_manager_actor =
-    caf::typed_actor<caf::replies_to<open_session>::with<session_opened>,
-                     caf::reacts_to<forward>, caf::reacts_to<subscribe>,
-                     caf::reacts_to<close_session>,
-                     caf::reacts_to<session_gone>, caf::reacts_to<seat_opened>,
-                     caf::reacts_to<begin_visit>, caf::reacts_to<end_visit>,
-                     caf::reacts_to<look_for_idle>,
-                     caf::replies_to<reload_program>::with<program_reloaded>,
-                     tells_status>;
+using session_manager_actor = caf::typed_actor<
+    caf::replies_to<open_session>::with<session_opened>,
+    caf::reacts_to<forward>, caf::reacts_to<subscribe>,
+    caf::reacts_to<close_session>, caf::reacts_to<session_gone>,
+    caf::reacts_to<seat_opened>, caf::reacts_to<begin_visit>,
+    caf::reacts_to<end_visit>, caf::reacts_to<look_for_idle>,
+    caf::replies_to<reload_program>::with<program_reloaded>, tells_status>;
 
 } // namespace parlour::actors
 

@@ -2,6 +2,7 @@
 // rule 7.13), made once for all of them.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -39,6 +40,24 @@ private:
   mutable std::map<const script::Program*,
                    std::shared_ptr<const dialogue::Renames>>
       renames_;
+};
+
+// What the sessions say when they are told of a change. Whoever asked is told
+// when the last of them has, by `done`.
+struct ReloadTally {
+  std::function<void(program_reloaded)> done;
+  std::size_t left = 0; // sessions that have not answered
+  ReloadedSessions told = {};
+
+  void take(const program_changed& what) {
+    ++(what.later ? told.later : told.gone_over);
+    for (const auto& one : what.lost)
+      ++told.lost[one];
+  }
+  void one_less() {
+    if (--left == 0)
+      done({std::move(told)});
+  }
 };
 
 } // namespace parlour::actors

@@ -23,7 +23,6 @@ Timestamp now(Self self) {
   return self->state.time->now();
 }
 
-// Of one at rest, too: then it is brought back.
 const dialogue::Conversation& conversation_of(Self self) {
   return self->state.dialogue->conversation();
 }
@@ -34,7 +33,6 @@ void take(Self self, dialogue::SessionInput input) {
   assert(!conversation_of(self).awaiting_frame() ||
          std::holds_alternative<input::FrameApplied>(input) ||
          std::holds_alternative<input::Resumed>(input));
-  self->state.last_input = now(self);
   self->state.dialogue->take(std::move(input), now(self));
 }
 
@@ -200,13 +198,6 @@ void end_scripts(Self self, const scripts_over& what) {
   go_on(self);
 }
 
-void rest_if(Self self, Milliseconds idle) {
-  auto& state = self->state;
-  const bool is_idle = now(self) - state.last_input >= idle.count();
-  if (is_idle && !state.stepping && state.dialogue->may_rest(now(self)))
-    state.dialogue->rest();
-}
-
 // Session.Started is handled, up to the opening prompt; or it goes on after a
 // crash. What it had posted before, and may not have reached anybody, leaves
 // after it has resumed.
@@ -222,9 +213,8 @@ void begin(Self self) {
 }
 
 // Where components have an instance for each session, what this one says to
-// them from its first word on is to find its own.
-// The answer is awaited, so that no other message is taken before the session
-// has begun.
+// them from its first word on is to find its own. The answer is awaited: no
+// other message is taken before the session has begun.
 void settle_and_begin(Self self, const SessionId& id, const InFlight& work) {
   const auto& parts = *self->state.parts;
   if (!parts.bus.table()->has_instances_by_session())
@@ -285,8 +275,7 @@ void hear_component(Self self, dialogue::QueryId id, Expected<void> outcome) {
 }
 
 // Its messages go by the routes, then are queued. That it is closed is told
-// twice: the event `Closed` is for the scripts, the
-// input SocketClosed lets the conversation forget it.
+// twice: by an event for the scripts, and for the conversation to forget it.
 void hear_socket(Self self, const socket_told& what) {
   using enum SocketEvent::Kind;
   if (what.event.kind == opened)
@@ -309,8 +298,7 @@ void hear_seat(Self self, const output_done& what) {
   go_on(self);
 }
 
-// Awaited: CAF keeps all other messages in the mailbox until the frame's answer
-// is here (engine rule 5.12).
+// Awaited: all other messages stay in the mailbox meanwhile (engine rule 5.12).
 void ask_frame(Self self, const topic_frame_actor& frame,
                std::shared_ptr<const dialogue::FrameRequest> request) {
   // No deadline: the frame computes within the limits of its script, and its
@@ -337,7 +325,6 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
   auto& state = self->state;
   state.parts = std::move(parts);
   state.time = &state.parts->time;
-  state.last_input = now(self);
   auto make_port = [self, id = order.id, seat = std::move(order.seat)] {
     return std::make_unique<SessionPort>(
         self, self->state.parts, id, seat,
@@ -403,7 +390,9 @@ session(session_actor::stateful_pointer<session_state> self,
       },
       [=](const change_program& what) { return change_programs(self, what); },
       [=](const scripts_over& what) { end_scripts(self, what); },
-      [=](const rest_if_idle& what) { rest_if(self, what.idle); },
+      [=](const rest_if_idle& what) {
+        self->state.dialogue->rest_if_idle(what.idle, now(self));
+      },
       [](const leave&) {},
       [=](const get_status& what) { return tell_session_status(self, what); });
 }

@@ -28,7 +28,6 @@ struct session_state {
   std::unique_ptr<SessionDialogue> dialogue;
   // Until it begins; null: it is a new one.
   std::shared_ptr<const dialogue::SavedSession> saved;
-  Timestamp last_input = 0;
   DueTicket scripts_due; // when it no longer waits to change its program
   TurnMeter meter;
   bool stepping = false;     // a take_step is in the mailbox

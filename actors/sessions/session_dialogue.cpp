@@ -86,6 +86,7 @@ void SessionDialogue::turns_done(const TurnMeter::Answered& answered,
 
 void SessionDialogue::take(dialogue::SessionInput input, Timestamp now) {
   wake();
+  last_input_ = now;
   if (!kept_.journal)
     return dialogue::take(*conversation_, std::move(input), now);
   // Before it is dealt with: the conversation may take it apart.
@@ -130,18 +131,22 @@ dialogue::Port& SessionDialogue::seen(SessionPort& port) {
 // -- rest ---------------------------------------------------------------------
 
 bool SessionDialogue::may_rest(Timestamp now) const {
-  return conversation_ && !change_ && conversation_->is_at_rest(now) &&
-         !conversation_->expects_outcome() && port_->effects().none();
+  return conversation_ && last_input_ != 0 && !change_ &&
+         conversation_->is_at_rest(now) && !conversation_->expects_outcome() &&
+         port_->effects().none();
 }
 
 // The journal has a state of it, from which a recovery takes less time.
-void SessionDialogue::rest() {
+bool SessionDialogue::rest_if_idle(Milliseconds idle, Timestamp now) {
+  if (now - last_input_ < idle.count() || !may_rest(now))
+    return !conversation_;
   if (kept_.journal && inputs_ != inputs_in_state_)
     keep_state();
   at_rest_ = conversation_->save();
   at_rest_.shrink_to_fit();
   conversation_ = nullptr;
   port_->end_frames();
+  return true;
 }
 
 // The program is the same, and so the bytes are good.

@@ -77,11 +77,11 @@ public:
 
   // -- rest (engine rule 7.14)
 
-  // Nothing goes on, here or with others, of which it has to hear first.
-  bool may_rest(Timestamp now) const;
-  // The conversation is written down and ends, and so do its topics' frames.
-  // Whatever comes next finds it as it was.
-  void rest();
+  // Where no input was taken for so long, and nothing goes on, here or with
+  // others, of which it has to hear first: the conversation is written down and
+  // ends, and so do its topics' frames. Whatever comes next finds it as it was.
+  // True where it rests then.
+  bool rest_if_idle(Milliseconds idle, Timestamp now);
 
   // -- another program (engine rule 7.13)
 
@@ -111,6 +111,7 @@ public:
   }
 
 private:
+  bool may_rest(Timestamp now) const;
   void wake();
   // The port, as the conversation sees it.
   dialogue::Port& seen(SessionPort& port);
@@ -142,7 +143,8 @@ private:
   std::unique_ptr<SessionPort> port_;
   std::unique_ptr<dialogue::RecordingPort> recording_;   // null: no journal
   std::unique_ptr<dialogue::Conversation> conversation_; // null: it rests
-  std::string at_rest_; // what it is made from then
+  std::string at_rest_;      // what it is made from then
+  Timestamp last_input_ = 0; // 0: it has not begun
 };
 
 } // namespace parlour::actors

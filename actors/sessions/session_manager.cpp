@@ -298,63 +298,23 @@ void end(Self self, const end_visit& what) {
 
 // -- rest ---------------------------------------------------------------------
 
-// To write one down takes some 50 µs: turns do not wait for many of them.
-constexpr std::size_t told_to_rest_at_once = 128;
-constexpr Milliseconds between_those{10};
-
-Milliseconds rest_after(Self self) {
-  return self->state.parts->program->settings.sessions.rest_after;
+void look_later(Self self) {
+  auto& state = self->state;
+  const auto idle = state.parts->program->settings.sessions.rest_after;
+  self->delayed_send(self, state.resting.until_next(idle), look_for_idle{});
 }
 
-void look_after(Self self, Milliseconds time, SessionId behind = {}) {
-  self->delayed_send(self, time, look_for_idle{std::move(behind)});
-}
-
-// All are looked at twice in `rest-after`; so a session rests when it has been
-// idle for up to one and a half times that long. 0: never.
-void begin_to_look(Self self) {
-  if (const auto idle = rest_after(self); idle > Milliseconds::zero())
-    look_after(self, std::max(idle / 2, between_those));
-}
-
-void send_to_rest(Self self, const SessionId& behind) {
-  if (rest_after(self) == Milliseconds::zero()) // by other scripts
-    return;
-  const auto& sessions = self->state.sessions;
-  auto next = sessions.upper_bound(behind);
-  SessionId last;
-  for (std::size_t told = 0;
-       told < told_to_rest_at_once && next != sessions.end(); ++told, ++next) {
-    self->send(next->second.session, rest_if_idle{rest_after(self)});
-    last = next->first;
-  }
-  if (next == sessions.end())
-    begin_to_look(self);
-  else
-    look_after(self, between_those, last);
+void send_to_rest(Self self) {
+  auto& state = self->state;
+  const auto idle = state.parts->program->settings.sessions.rest_after;
+  for (const auto& id : state.resting.next(state.sessions))
+    self->send(state.sessions[id].session, rest_if_idle{idle});
+  look_later(self);
 }
 
 // -- another program ----------------------------------------------------------
 
 using reload_promise = caf::typed_response_promise<program_reloaded>;
-
-// What the sessions say when they are told of a change; the last of them keeps
-// the promise.
-struct Reloading {
-  reload_promise promise;
-  std::size_t left = 0; // sessions that have not answered
-  ReloadedSessions told = {};
-
-  void take(const program_changed& what) {
-    ++(what.later ? told.later : told.gone_over);
-    for (const auto& one : what.lost)
-      ++told.lost[one];
-  }
-  void one_less() {
-    if (--left == 0)
-      promise.deliver(program_reloaded{std::move(told)});
-  }
-};
 
 // Who opens from now on has the new program. A session that ends before it has
 // answered is counted nowhere.
@@ -363,12 +323,13 @@ reload_promise reload(Self self, const reload_program& what) {
   auto parts = std::make_shared<SessionParts>(*state.parts);
   parts->program = what.program;
   parts->phrases = what.phrases;
-  const bool looks = rest_after(self) > Milliseconds::zero();
   state.parts = std::move(parts);
-  if (!looks)
-    begin_to_look(self);
-  auto reloading = std::make_shared<Reloading>(
-      Reloading{self->make_response_promise<program_reloaded>(), 1});
+  auto promise = self->make_response_promise<program_reloaded>();
+  auto reloading = std::make_shared<ReloadTally>(
+      ReloadTally{[promise](program_reloaded told) mutable {
+                    promise.deliver(std::move(told));
+                  },
+                  1});
   if (what.mode != ReloadMode::new_only) {
     reloading->left += state.sessions.size();
     const auto change =
@@ -383,7 +344,6 @@ reload_promise reload(Self self, const reload_program& what) {
               },
               [=](const caf::error&) { reloading->one_less(); });
   }
-  auto promise = reloading->promise;
   reloading->one_less();
   return promise;
 }
@@ -407,7 +367,7 @@ session_manager_actor::behavior_type session_manager(
   self->state.names = std::move(names);
   self->set_down_handler(
       [=](const caf::down_msg& down) { notice_loss(self, down); });
-  begin_to_look(self);
+  look_later(self);
   return traced<session_manager_actor::behavior_type>(
       ActorTrace(self->state.parts->observer, session_manager_state::name, ""),
       [=](const open_session& what) {
@@ -422,7 +382,7 @@ session_manager_actor::behavior_type session_manager(
       },
       [=](const begin_visit& what) { begin(self, what); },
       [=](const end_visit& what) { end(self, what); },
-      [=](const look_for_idle& what) { send_to_rest(self, what.behind); },
+      [=](const look_for_idle&) { send_to_rest(self); },
       [=](const reload_program& what) { return reload(self, what); },
       [=](const get_status& what) {
         const auto& state = self->state;

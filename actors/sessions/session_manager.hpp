@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "actors/routing/session_directory.hpp"
+#include "actors/sessions/rest_round.hpp"
 #include "actors/sessions/session_parts.hpp"
 
 namespace parlour::actors {
@@ -41,6 +42,7 @@ struct session_manager_state {
   std::unordered_map<caf::actor_id, std::string> closing_seats;
   // Those that ended last, and where: for turns that come too late for them.
   std::deque<std::pair<SessionId, seat_actor>> departed;
+  RestRound resting;
   bool closing = false;
   std::string last_error;
   std::shared_ptr<const SessionParts> parts;

@@ -192,20 +192,31 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
 
 // At its beginning it may be one: "wait, where is the bank", and where the rule
 // takes any words, these may be the act's.
-void leave_out_acts_inside(std::vector<Island>& islands) {
-  const auto says_it_itself = [](const Island& island) {
+void leave_out_acts_inside(std::vector<Island>& islands,
+                           const Utterance& utterance, const Spans& spans) {
+  const auto says_it_itself = [&](const Island& island) {
     return island.is_content() && !island.weak && !island.rule->bare &&
-           std::ranges::none_of(island.fills, &Fill::open);
+           island.covered + 0.01 >
+               utterance.weight_of(island.begin, island.end) &&
+           std::ranges::none_of(island.fills, [&](const Fill& fill) {
+             return fill.open || fits(fill, spans, &Span::unmatched);
+           });
   };
-  std::vector<TokenRange> said;
+  struct Said {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    double score = 0;
+  };
+  std::vector<Said> said;
   for (const auto& island : islands)
     if (says_it_itself(island))
-      said.push_back({island.begin, island.end});
+      said.push_back({island.begin, island.end, island.score});
   std::erase_if(islands, [&](const Island& island) {
     const bool is_act = !island.is_content() && !island.act.empty() &&
                         !island.is_marker() && island.act != "confirm";
-    return is_act && std::ranges::any_of(said, [&](TokenRange range) {
-             return range.begin < island.begin && island.end <= range.end;
+    return is_act && std::ranges::any_of(said, [&](const Said& more) {
+             return more.begin < island.begin && island.end <= more.end &&
+                    island.score <= more.score;
            });
   });
 }

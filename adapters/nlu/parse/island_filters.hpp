@@ -36,7 +36,8 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
 
 // Takes out an act about the conversation that is a part of what a rule of the
 // application says: "stop" in "the bus stop".
-void leave_out_acts_inside(std::vector<Island>& islands);
+void leave_out_acts_inside(std::vector<Island>& islands,
+                           const Utterance& utterance, const Spans& spans);
 
 // A value that is all that was said means something, though its words are plain
 // ones: "Coffee?". Not a number or time: without a question they are anything.

@@ -312,7 +312,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   leave_out_unnamed(islands, utterance, spans);
   leave_out_strangers(islands, utterance, spans);
   leave_out_stories(islands, utterance, spans, context);
-  leave_out_acts_inside(islands);
+  leave_out_acts_inside(islands, utterance, spans);
   trust_whole_values(islands, utterance, spans);
   leave_out_parts(islands, schema, context);
   prefer_answers(islands, context);

@@ -19,5 +19,22 @@ TEST(ProgramChangeTest, FindsNamesOnceForEachProgram) {
   EXPECT_EQ(change.renames_from(other)->to(), parts->program);
 }
 
+TEST(ReloadTallyTest, IsToldWhenTheLastHasAnswered) {
+  std::vector<ReloadedSessions> told;
+  ReloadTally tally{
+      [&](const program_reloaded& what) { told.push_back(what.sessions); }, 3};
+  tally.take({.lost = {"the state 'A'"}});
+  tally.one_less();
+  tally.take({.later = true, .lost = {"the state 'A'"}});
+  tally.one_less();
+  EXPECT_TRUE(told.empty());
+  tally.one_less(); // one that ended before it answered
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].gone_over, 1U);
+  EXPECT_EQ(told[0].later, 1U);
+  EXPECT_EQ(told[0].lost,
+            (std::map<std::string, std::size_t>{{"the state 'A'", 2}}));
+}
+
 } // namespace
 } // namespace parlour::actors

@@ -27,8 +27,8 @@ TEST(LateCorrections, WhatIsMissingThereIsOfWhatWasJustDone) {
       <slot name="Street" type="Functional"/>
       <slot name="Phone"/>
       <completed><speak param="It comes."/></completed>
-      <repair act="correct"><speak param="Noted."/></repair>
-    </topic>)xml");
+    </topic>
+    <repair act="correct" topic="Ride"><speak param="Noted."/></repair>)xml");
   world.say(inform("Ride", {{"Street", "Main"}}));
   EXPECT_EQ(world.said(), Texts{"It comes."});
   world.say(inform("", {{"Phone", "98765432"}}));

@@ -1,0 +1,50 @@
+// RestRound: which sessions are told to rest if they are idle, and when (engine
+// rule 7.14). Some at a time: to write one down takes some 50 µs, and turns do
+// not wait for many of them. Pure; the session manager asks it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/message/message.hpp"
+
+namespace parlour::actors {
+
+class RestRound {
+public:
+  static constexpr std::size_t at_once = 128;
+  static constexpr Milliseconds between{10};
+  // How soon changed scripts are noticed, where those before let nobody rest.
+  static constexpr Milliseconds look_again{60'000};
+
+  // The next ones of all, in the order of their ids. None where nobody may
+  // rest.
+  template <class Entry>
+  std::vector<SessionId> next(const std::map<SessionId, Entry>& sessions) {
+    std::vector<SessionId> told;
+    auto one = sessions.upper_bound(behind_);
+    for (; may_rest_ && one != sessions.end() && told.size() < at_once; ++one)
+      told.push_back(one->first);
+    behind_ = one == sessions.end() || told.empty() ? SessionId() : told.back();
+    return told;
+  }
+
+  // Until next() is to be asked. All are told twice in `rest_after`, so that a
+  // session rests when it has been idle for at most one and a half times that
+  // long. 0: nobody rests.
+  Milliseconds until_next(Milliseconds rest_after) {
+    may_rest_ = rest_after > Milliseconds::zero();
+    if (!may_rest_)
+      return look_again;
+    return behind_.empty() ? std::max(rest_after / 2, between) : between;
+  }
+
+private:
+  SessionId behind_; // the last one that was told; empty: a round begins
+  bool may_rest_ = false;
+};
+
+} // namespace parlour::actors

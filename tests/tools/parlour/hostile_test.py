@@ -310,7 +310,9 @@ class BrokenCopies(Hostile):
 
     def test_grammar(self):
         grammar = "grammars/receptionist.jsgf"
-        application = self.copy((grammar, "(<want> to", "(<no_rule> to"))
+        application = self.copy((grammar, "grammar receptionist;",
+                                 "grammar receptionist;\n"
+                                 "public <broken> = is <no_rule> there;"))
         line = self.line_of(application / grammar, "<no_rule>")
         found = self.findings(application)
         self.assertEqual(len(found), 1)

@@ -137,16 +137,15 @@ bool SessionDialogue::may_rest(Timestamp now) const {
 }
 
 // The journal has a state of it, from which a recovery takes less time.
-bool SessionDialogue::rest_if_idle(Milliseconds idle, Timestamp now) {
+void SessionDialogue::rest_if_idle(Milliseconds idle, Timestamp now) {
   if (now - last_input_ < idle.count() || !may_rest(now))
-    return !conversation_;
+    return;
   if (kept_.journal && inputs_ != inputs_in_state_)
     keep_state();
   at_rest_ = conversation_->save();
   at_rest_.shrink_to_fit();
   conversation_ = nullptr;
   port_->end_frames();
-  return true;
 }
 
 // The program is the same, and so the bytes are good.

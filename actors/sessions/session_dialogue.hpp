@@ -80,8 +80,7 @@ public:
   // Where no input was taken for so long, and nothing goes on, here or with
   // others, of which it has to hear first: the conversation is written down and
   // ends, and so do its topics' frames. Whatever comes next finds it as it was.
-  // True where it rests then.
-  bool rest_if_idle(Milliseconds idle, Timestamp now);
+  void rest_if_idle(Milliseconds idle, Timestamp now);
 
   // -- another program (engine rule 7.13)
 

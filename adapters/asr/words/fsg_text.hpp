@@ -18,7 +18,7 @@ struct FsgOptions {
   // heard than the graph has: behind a name, all that follows any name.
   std::size_t most_copied = 8;
   // More transitions are not written (is_whole is false then).
-  std::size_t most_transitions = 200'000;
+  std::size_t most_transitions = 400'000;
 };
 
 // The figures are for tests.

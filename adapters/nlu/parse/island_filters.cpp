@@ -14,6 +14,8 @@ namespace {
 // they only sound or look like it.
 constexpr float certain = 0.95F;
 constexpr float guessed = 0.9F;
+// Weights are sums of decimals.
+constexpr double rounding = 0.01;
 
 // Whether the value of a fill was found among known ones, with a confidence
 // that `is_such` accepts.
@@ -196,7 +198,7 @@ void leave_out_acts_inside(std::vector<Island>& islands,
                            const Utterance& utterance, const Spans& spans) {
   const auto says_it_itself = [&](const Island& island) {
     return island.is_content() && !island.weak && !island.rule->bare &&
-           island.covered + 0.01 >
+           island.covered + rounding >
                utterance.weight_of(island.begin, island.end) &&
            std::ranges::none_of(island.fills, [&](const Fill& fill) {
              return fill.open || fits(fill, spans, &Span::unmatched);

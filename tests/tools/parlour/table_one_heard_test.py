@@ -14,7 +14,7 @@ class TableOneHeardTest(ProgramCase):
         run = subprocess.run(
             [PROGRAM, "test", str(receptionist(self.folder, (TABLE_ONE, *OTHERS))),
              "--voice", "--told"],
-            capture_output=True, text=True, check=False, timeout=280)
+            capture_output=True, text=True, check=False, timeout=580)
         # A question that was cut is asked in other words the next time, so not
         # all answers are those of the conversation by text.
         self.assertIn(run.returncode, (0, 1), run.stderr)

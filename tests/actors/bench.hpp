@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <caf/send.hpp>
+#include <caf/typed_event_based_actor.hpp>
 
 #include "actors/node/scheduler.hpp"
 #include "actors/routing/message_bus.hpp"
@@ -146,7 +147,7 @@ public:
                 seen.push_back(what.session + " has answered " +
                                std::to_string(what.turn));
               },
-              [this](const leave_seat&) { seen.push_back("leaves"); },
+              [this](const leave_seat&) { seen.emplace_back("leaves"); },
               no_status,
           };
         },

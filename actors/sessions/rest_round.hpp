@@ -20,31 +20,35 @@ public:
   // How soon changed scripts are noticed, where those before let nobody rest.
   static constexpr Milliseconds look_again{60'000};
 
-  // The next ones of all, in the order of their ids. None where nobody may
-  // rest.
+  // The next ones of all, in the order of their ids.
   template <class Entry>
-  std::vector<SessionId> next(const std::map<SessionId, Entry>& sessions) {
+  std::vector<SessionId> next(const std::map<SessionId, Entry>& sessions,
+                              Milliseconds rest_after) {
     std::vector<SessionId> told;
+    if (!may_rest(rest_after))
+      return told;
     auto one = sessions.upper_bound(behind_);
-    for (; may_rest_ && one != sessions.end() && told.size() < at_once; ++one)
+    for (; one != sessions.end() && told.size() < at_once; ++one)
       told.push_back(one->first);
-    behind_ = one == sessions.end() || told.empty() ? SessionId() : told.back();
+    behind_ = one == sessions.end() ? SessionId() : told.back();
     return told;
   }
 
   // Until next() is to be asked. All are told twice in `rest_after`, so that a
   // session rests when it has been idle for at most one and a half times that
   // long. 0: nobody rests.
-  Milliseconds until_next(Milliseconds rest_after) {
-    may_rest_ = rest_after > Milliseconds::zero();
-    if (!may_rest_)
+  Milliseconds until_next(Milliseconds rest_after) const {
+    if (!may_rest(rest_after))
       return look_again;
     return behind_.empty() ? std::max(rest_after / 2, between) : between;
   }
 
 private:
+  static bool may_rest(Milliseconds rest_after) {
+    return rest_after > Milliseconds::zero();
+  }
+
   SessionId behind_; // the last one that was told; empty: a round begins
-  bool may_rest_ = false;
 };
 
 } // namespace parlour::actors

@@ -307,7 +307,7 @@ void look_later(Self self) {
 void send_to_rest(Self self) {
   auto& state = self->state;
   const auto idle = state.parts->program->settings.sessions.rest_after;
-  for (const auto& id : state.resting.next(state.sessions))
+  for (const auto& id : state.resting.next(state.sessions, idle))
     self->send(state.sessions[id].session, rest_if_idle{idle});
   look_later(self);
 }

@@ -104,9 +104,9 @@ inline constexpr const char* unmatched = "unmatched";
 // The session's context, the second parameter of DoNLU, is a map: asked
 // ({topic, slot} or unknown), said (its slots that were given before, the
 // latest last), current and resting topic, unfinished (a list of topics),
-// completed (the topic that was last),
-// choices (a list: what is offered), confirms (the words of the yes-or-no
-// question that was asked), grammar (or unknown), heard (a list of
-// texts: what else a recogniser may have heard), and now (in ms).
+// completed (the task that was completed last), choices (a list: what is
+// offered), confirms (the words of the yes-or-no question that was asked),
+// grammar (or unknown), heard (a list of texts: what else a recogniser may have
+// heard), and now (in ms).
 
 } // namespace parlour

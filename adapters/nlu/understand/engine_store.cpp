@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "adapters/nlu/values/known_columns.hpp"
+
 namespace parlour::adapters::nlu {
 
 EngineStore::EngineStore(std::size_t capacity) : capacity_(capacity) {}
@@ -12,8 +14,12 @@ EngineStore::EngineStore(std::size_t capacity) : capacity_(capacity) {}
 tl::expected<NluEngine, std::vector<Error>>
 EngineStore::get(const UnderstandingModel& model, NluEngine::Options options,
                  const ColumnReader& columns) {
+  KnownColumns once; // whoever asks for a column, it is read once
+  const auto values_of = [&](const std::string& name) {
+    return once.read(name, columns);
+  };
   const auto has_these_values = [&](const auto& column) {
-    const auto values = columns(column.first);
+    const auto values = values_of(column.first);
     return values && *values == column.second;
   };
   for (auto& each : kept()) {
@@ -27,7 +33,7 @@ EngineStore::get(const UnderstandingModel& model, NluEngine::Options options,
   auto built = NluEngine::build(
       model,
       [&](const auto& name) {
-        auto values = columns(name);
+        auto values = values_of(name);
         if (values)
           read[name] = *values;
         return values;

@@ -36,7 +36,6 @@ void read_sessions(const Element& element, SessionSettings& sessions) {
 // Attributes that the language has but that have no effect yet.
 void warn_of_later(const Element& element, Findings& findings) {
   constexpr std::pair<const char*, const char*> all[] = {
-      {"rest-after", "sessions stay in memory until they end"},
       {"journal", "parlour run --journal FOLDER keeps one, with --strict a "
                   "strict one"},
       {"keep", "a journal is kept for 7 days"}};

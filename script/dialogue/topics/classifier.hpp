@@ -28,10 +28,9 @@ struct ClassifierContext {
 // A registered topic that the act names stands. Else the topic that has most of
 // the act's slots; of equals the one being asked, then the current, the
 // resting, an unfinished one, the one that was completed last, then any in file
-// order. Without slots: the topic
-// being asked; an elliptical turn also the resting or current one. no_id where
-// nothing fits. "At three." -> the topic that asks, if it has a slot for a
-// time.
+// order. Without slots: the topic being asked; an elliptical turn also the
+// resting or current one. no_id where nothing fits. "At three." -> the topic
+// that asks, if it has a slot for a time.
 TopicId classify(const script::Program& program, const Act& act,
                  const ClassifierContext& context);
 

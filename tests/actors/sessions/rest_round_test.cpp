@@ -21,35 +21,33 @@ std::map<SessionId, int> sessions(std::size_t count) {
 TEST(RestRound, TellsAllTwiceInTheTime) {
   RestRound round;
   EXPECT_EQ(round.until_next(10s), 5s);
-  EXPECT_THAT(round.next(sessions(2)), ElementsAre("10000", "10001"));
+  EXPECT_THAT(round.next(sessions(2), 10s), ElementsAre("10000", "10001"));
   EXPECT_EQ(round.until_next(10s), 5s);
-  EXPECT_THAT(round.next(sessions(2)), ElementsAre("10000", "10001"));
+  EXPECT_THAT(round.next(sessions(2), 10s), ElementsAre("10000", "10001"));
 }
 
 TEST(RestRound, TellsSomeAtATime) {
   RestRound round;
-  round.until_next(10s);
   const auto all = sessions(RestRound::at_once + 2);
-  EXPECT_THAT(round.next(all), SizeIs(RestRound::at_once));
+  EXPECT_THAT(round.next(all, 10s), SizeIs(RestRound::at_once));
   EXPECT_EQ(round.until_next(10s), RestRound::between);
-  EXPECT_THAT(round.next(all), SizeIs(2));
+  EXPECT_THAT(round.next(all, 10s), SizeIs(2));
   EXPECT_EQ(round.until_next(10s), 5s);
 }
 
 TEST(RestRound, GoesOnWhereSessionsHaveEnded) {
   RestRound round;
-  round.until_next(10s);
-  round.next(sessions(RestRound::at_once + 2));
-  EXPECT_THAT(round.next(sessions(0)), IsEmpty());
+  round.next(sessions(RestRound::at_once + 2), 10s);
+  EXPECT_THAT(round.next(sessions(0), 10s), IsEmpty());
   EXPECT_EQ(round.until_next(10s), 5s);
 }
 
 TEST(RestRound, TellsNobodyWhereNobodyRests) {
   RestRound round;
   EXPECT_EQ(round.until_next(0s), RestRound::look_again);
-  EXPECT_THAT(round.next(sessions(2)), IsEmpty());
+  EXPECT_THAT(round.next(sessions(2), 0s), IsEmpty());
   EXPECT_EQ(round.until_next(10s), 5s);
-  EXPECT_THAT(round.next(sessions(2)), SizeIs(2));
+  EXPECT_THAT(round.next(sessions(2), 10s), SizeIs(2));
 }
 
 } // namespace

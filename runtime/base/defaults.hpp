@@ -26,6 +26,8 @@ inline constexpr Milliseconds component_deadline = 10s;
 inline constexpr Milliseconds rest_after = 5min;
 // Idle time after which a seat's session ends.
 inline constexpr Milliseconds closes_after = 60s;
+// How long a finished part of a journal is kept.
+inline constexpr Milliseconds keep_journal = 24h * 7;
 
 // Where remote agents connect: lines of text, and ZeroMQ.
 inline constexpr const char* agent_lines = "127.0.0.1:5671";

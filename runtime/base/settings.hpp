@@ -65,6 +65,9 @@ struct SessionSettings {
   Milliseconds closes_after = defaults::closes_after;
 };
 
+  // Where a journal is kept (engine rules 7.10 and 7.11).
+  bool strict_journal = false;
+  Milliseconds keep_journal = defaults::keep_journal;
 // Limits of a session's scripts (language rule 9.6).
 struct Limits {
   std::uint64_t instructions = defaults::instructions; // per event

@@ -6,6 +6,8 @@
 #include "script/compiler/application/settings_reader.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <utility>
 
 #include "runtime/message/roles.hpp"
@@ -23,28 +25,50 @@ void read_duration(const Element& element, const char* name,
     target = parse_duration(attribute->value).value_or(target);
 }
 
+// A century: as long as the file system's clock can count back.
+constexpr std::uint64_t most_days = 36'500;
+constexpr Milliseconds longest_keep = std::chrono::hours(24) * most_days;
+
+// "7d", which is no duration of scripts, or a duration; nothing for any other.
+std::optional<Milliseconds> parse_keep(std::string_view text) {
+  std::optional<Milliseconds> time;
+  if (text.ends_with('d')) {
+    const auto days = parse_count(text.substr(0, text.size() - 1));
+    if (days && *days <= most_days)
+      time = std::chrono::hours(24) * *days;
+  } else if (const auto duration = parse_duration(text)) {
+    time = *duration;
+  }
+  return time && *time <= longest_keep ? time : std::nullopt;
+}
+
+// Where and whether there is a journal, the command line says.
+void read_journal(const Element& element, SessionSettings& sessions,
+                  Findings& findings) {
+  sessions.strict_journal = element.value("journal") == "strict";
+  const auto* keep = element.attribute("keep");
+  if (!keep)
+    return;
+  const auto time = parse_keep(keep->value);
+  if (!time)
+    findings.error(keep->value_position,
+                   "keep=\"" + keep->value +
+                       "\" of <sessions>: expected how long a finished "
+                       "part of the journal is kept, such as 7d or 12h, and "
+                       "36500d at most");
+  sessions.keep_journal = time.value_or(sessions.keep_journal);
+}
+
 // <sessions>: attributes that are missing keep their defaults.
-void read_sessions(const Element& element, SessionSettings& sessions) {
+void read_sessions(const Element& element, SessionSettings& sessions,
+                   Findings& findings) {
   read_duration(element, "resume-after", sessions.resume_after);
   read_duration(element, "no-input-after", sessions.no_input_after);
   read_duration(element, "context-for", sessions.context_for);
   read_duration(element, "request-timeout", sessions.request_timeout);
   read_duration(element, "rest-after", sessions.rest_after);
   read_duration(element, "closes-after", sessions.closes_after);
-}
-
-// Attributes that the language has but that have no effect yet.
-void warn_of_later(const Element& element, Findings& findings) {
-  constexpr std::pair<const char*, const char*> all[] = {
-      {"journal", "parlour run --journal FOLDER keeps one, with --strict a "
-                  "strict one"},
-      {"keep", "a journal is kept for 7 days"}};
-  for (const auto& [name, instead] : all)
-    if (const auto* attribute = element.attribute(name))
-      findings.add({Severity::warning,
-                    {attribute->position},
-                    "'" + std::string(name) + "' has no effect yet: " + instead,
-                    "not-available-yet"});
+  read_journal(element, sessions, findings);
 }
 
 // Wrong values were reported by the validator; they leave the default.
@@ -218,10 +242,9 @@ Settings SettingsReader::read(const Element& root) {
       read_scripts(child);
     else if (child.is("agents"))
       settings_.agents = read_agents(child, environment_, findings_);
-    else if (child.is("sessions")) {
-      read_sessions(child, settings_.sessions);
-      warn_of_later(child, findings_);
-    } else if (child.is("limits"))
+    else if (child.is("sessions"))
+      read_sessions(child, settings_.sessions, findings_);
+    else if (child.is("limits"))
       read_limits(child, settings_.limits);
   }
   check_agents(root);

@@ -1,20 +1,34 @@
 #include "tools/parlour/journal/journaled_node.hpp"
 
+#include <chrono>
 #include <utility>
 
-#include "adapters/journal/journal_folder.hpp"
-
 namespace parlour::tools {
+
+// The option counts in any case: it says nothing of being relaxed.
+adapters::JournalFolder::Options
+journal_options(const actors::NodeOptions& node, const JournalWishes& wishes) {
+  const auto sessions =
+      node.program ? node.program->settings.sessions : SessionSettings();
+  adapters::JournalFolder::Options options;
+  options.log = node.log;
+  options.keep = std::chrono::ceil<std::chrono::seconds>(sessions.keep_journal);
+  const bool strict = wishes.strict || sessions.strict_journal;
+  if (strict && !node.virtual_start)
+    options.sync = adapters::JournalSync::on_disk;
+  else if (strict && node.log)
+    node.log("a strict journal is wanted, which there is not in virtual time: "
+             "it is relaxed");
+  return options;
+}
 
 // The journal first: nobody else writes there from then on.
 Expected<JournaledNode> with_journal(actors::NodeOptions options,
                                      const JournalWishes& wishes) {
   if (wishes.folder.empty())
     return JournaledNode{std::move(options), {}};
-  adapters::JournalFolder::Options its;
-  its.log = options.log;
-  if (wishes.strict)
-    its.sync = adapters::JournalSync::on_disk;
+  auto its = journal_options(options, wishes);
+  options.strict_journal = its.sync == adapters::JournalSync::on_disk;
   auto journal = adapters::JournalFolder::open(wishes.folder, std::move(its));
   if (!journal)
     return tl::make_unexpected(journal.error());
@@ -23,7 +37,6 @@ Expected<JournaledNode> with_journal(actors::NodeOptions options,
   if (!recovered)
     return tl::make_unexpected(recovered.error());
   options.journal = std::move(*journal);
-  options.strict_journal = wishes.strict;
   return JournaledNode{std::move(options), std::move(*recovered)};
 }
 

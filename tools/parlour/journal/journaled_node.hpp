@@ -4,11 +4,13 @@
 #include <filesystem>
 
 #include "actors/node/node_options.hpp"
+#include "adapters/journal/journal_folder.hpp"
 #include "tools/parlour/journal/session_recovery.hpp"
 
 namespace parlour::tools {
 
-// The options `--journal` and `--strict` of the command line.
+// The options `--journal` and `--strict` of the command line. How long it is
+// kept, and whether it is strict without the option, the settings say.
 struct JournalWishes {
   std::filesystem::path folder; // empty: there is none
   bool strict = false;          // NodeOptions::strict_journal
@@ -19,6 +21,11 @@ struct JournaledNode {
   actors::NodeOptions options;
   RecoveredSessions recovered; // of the run before, if it was killed
 };
+
+// How the command line and the settings want it. In virtual time there is no
+// strict journal (engine rule 7.11).
+adapters::JournalFolder::Options
+journal_options(const actors::NodeOptions& node, const JournalWishes& wishes);
 
 // Errors of kind File: the journal cannot be read or written, or is another
 // run's. What goes wrong with it later is told by the options' `log`.

@@ -103,14 +103,33 @@ TEST(SettingsReader, reads_times_limits_and_scripts) {
   EXPECT_THAT(settings.scripts, ElementsAre("a.xml", "b.xml"));
 }
 
-TEST(SettingsReader, says_what_has_no_effect_yet) {
+TEST(SettingsReader, reads_how_a_journal_is_kept) {
+  using std::chrono::hours;
   const auto [settings, lines] =
-      read("<sessions rest-after='5m' journal='strict' keep='7d'/>");
-  EXPECT_EQ(settings.sessions.rest_after, Milliseconds(300'000));
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0], "s.xml:1:37: warning: 'journal' has no effect yet: "
-                      "parlour run --journal FOLDER keeps one, with --strict a "
-                      "strict one");
+      read("<sessions journal='strict' keep='30d'/>");
+  EXPECT_THAT(lines, IsEmpty());
+  EXPECT_TRUE(settings.sessions.strict_journal);
+  EXPECT_EQ(settings.sessions.keep_journal, hours(24 * 30));
+  const auto relaxed =
+      read("<sessions journal='relaxed' keep='12h'/>").settings.sessions;
+  EXPECT_FALSE(relaxed.strict_journal);
+  EXPECT_EQ(relaxed.keep_journal, hours(12));
+  const auto usual = read("<sessions/>").settings.sessions;
+  EXPECT_FALSE(usual.strict_journal);
+  EXPECT_EQ(usual.keep_journal, hours(24 * 7));
+}
+
+TEST(SettingsReader, says_how_long_a_journal_can_be_kept) {
+  for (const std::string keep : {"a week", "d", "-1d", "1.5d", "36501d",
+                                 "9999999999h", "99999999999999999999d"}) {
+    const auto [settings, lines] = read("<sessions keep='" + keep + "'/>");
+    EXPECT_EQ(settings.sessions.keep_journal, std::chrono::hours(24 * 7));
+    EXPECT_THAT(lines,
+                ElementsAre("s.xml:1:27: error: keep=\"" + keep +
+                            "\" of <sessions>: expected how long a finished "
+                            "part of the journal is kept, such as 7d or 12h, "
+                            "and 36500d at most"));
+  }
 }
 
 TEST(SettingsReader, replaces_what_the_environment_holds_and_never_tells_it) {

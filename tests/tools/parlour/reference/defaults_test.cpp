@@ -98,10 +98,12 @@ void print(std::ostream& out, const script::Topic& topic) {
 }
 
 void print(std::ostream& out, const Settings& settings) {
-  const auto& [resume, no_input, context, request, rest, closes] =
+  const auto& [resume, no_input, context, request, rest, closes, strict, keep] =
       settings.sessions;
-  for (const auto time : {resume, no_input, context, request, rest, closes})
+  for (const auto time :
+       {resume, no_input, context, request, rest, closes, keep})
     out << time.count() << ' ';
+  out << strict << ' ';
   const auto& [instructions, depth, bytes, result] = settings.limits;
   out << instructions << ' ' << depth << ' ' << bytes << ' ' << result << '\n'
       << settings.agents.lines << ' ' << settings.agents.zeromq << '\n';

@@ -41,6 +41,9 @@ struct ComponentPolicy {
   std::optional<Milliseconds> deadline{};
   // "process": the plug-in runs in a process of its own; empty: in this one.
   std::string host;
+  // The configured seat that it belongs to: its scope is then "seat", and it
+  // has an instance there and nowhere else. Empty: to none.
+  std::string seat = {};
 
   bool operator==(const ComponentPolicy&) const = default;
 };

@@ -5,7 +5,9 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/base/clock.hpp"
@@ -63,11 +65,30 @@ struct SessionSettings {
   Milliseconds request_timeout = defaults::request_timeout;
   Milliseconds rest_after = defaults::rest_after;
   Milliseconds closes_after = defaults::closes_after;
-};
-
   // Where a journal is kept (engine rules 7.10 and 7.11).
   bool strict_journal = false;
   Milliseconds keep_journal = defaults::keep_journal;
+};
+
+// A place where one conversation at a time happens (engine rule 7.1). Which
+// events open one there is among the openings of the program.
+struct SeatSettings {
+  // Which component, or remote agent, fills a role at this seat alone.
+  struct Binding {
+    std::string role;
+    std::string component;
+    SourceLocation place;
+  };
+  std::string name;
+  std::vector<Binding> components = {};
+  std::optional<Milliseconds> closes_after = {}; // nothing: the sessions'
+  SourceLocation place = {};
+};
+
+// Null where no seat has that name.
+const SeatSettings* find_seat(const std::vector<SeatSettings>& seats,
+                              std::string_view name);
+
 // Limits of a session's scripts (language rule 9.6).
 struct Limits {
   std::uint64_t instructions = defaults::instructions; // per event
@@ -88,6 +109,7 @@ struct Settings {
   std::vector<std::string> scripts;          // relative to the folder
   std::vector<std::string> libraries;        // of the platform, such as phrases
   SessionSettings sessions;
+  std::vector<SeatSettings> seats; // each of another name
   Limits limits;
 };
 

@@ -11,6 +11,7 @@
 #include "script/compiler/reaction_compiler.hpp"
 #include "script/compiler/repair_compiler.hpp"
 #include "script/compiler/route_compiler.hpp"
+#include "script/compiler/seat_compiler.hpp"
 #include "script/compiler/state_compiler.hpp"
 #include "script/compiler/topic_compiler.hpp"
 #include "script/compiler/understanding_builder.hpp"
@@ -196,6 +197,7 @@ void DeclarationCompiler::compile(SettingsSource settings) {
   check_start(*settings.root);
   if (const auto* ladder = settings.root->child("ladder"))
     compile_ladder(*ladder);
+  compile_seats(*settings.root, compilation_);
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 
 #include "runtime/message/roles.hpp"
 #include "script/compiler/application/agents_reader.hpp"
+#include "script/compiler/application/seats_reader.hpp"
 #include "script/xml/attribute_check.hpp"
 
 namespace parlour::script {
@@ -248,6 +249,9 @@ Settings SettingsReader::read(const Element& root) {
       read_limits(child, settings_.limits);
   }
   check_agents(root);
+  read_seats(
+      root, [this](const std::string& name) { return own_name(name); },
+      settings_, findings_);
   return std::move(settings_);
 }
 

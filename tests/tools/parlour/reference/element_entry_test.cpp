@@ -27,7 +27,7 @@ TEST(ElementEntry, TellsOfAnElement) {
               AllOf(HasSubstr("<speak>"), HasSubstr("TTS understands Speak(")));
   EXPECT_THAT(told("for"), HasSubstr("name from to step?; each in index?"));
   EXPECT_THAT(told("*"), HasSubstr("<NAME> in <component>"));
-  EXPECT_THAT(told("seat"), HasSubstr("it is refused so far"));
+  EXPECT_THAT(told("console"), HasSubstr("it is refused so far"));
 }
 
 TEST(ElementEntry, TellsOfEachElementOfAName) {

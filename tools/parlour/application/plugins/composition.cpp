@@ -55,7 +55,8 @@ void check_scope(const ComponentSettings& component,
 void check_deadline(const ComponentSettings& component,
                     const PluginDescription& plugin,
                     const SessionSettings& sessions, Composition& composition) {
-  const auto& [scope, deadline, host] = component.policy;
+  const auto& scope = component.policy.scope;
+  const auto& deadline = component.policy.deadline;
   const bool in_turn = plugin.is_inline && (scope.kind == Scope::Kind::usual ||
                                             scope.kind == Scope::Kind::in_turn);
   if (!deadline)

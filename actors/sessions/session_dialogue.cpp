@@ -46,7 +46,8 @@ SessionDialogue::SessionDialogue(std::shared_ptr<const script::Program> program,
 // -- the journal --------------------------------------------------------------
 
 dialogue::SessionOpened SessionDialogue::opened() const {
-  return {script::identity_of(*program_), options_.seed, kept_.strict};
+  return {script::identity_of(*program_), options_.seed, kept_.strict,
+          options_.seat};
 }
 
 // Held before it is appended: what is held is never newer than where it stands.

@@ -19,6 +19,8 @@ struct ConversationOptions {
   // Words what the engine says where no NLG component is there. Null: such
   // things are not said, which is shown as an error.
   std::shared_ptr<const PhraseEvaluator> phrases;
+  // The configured seat where it happens; empty: none of those.
+  std::string seat = {};
 };
 
 } // namespace parlour::dialogue

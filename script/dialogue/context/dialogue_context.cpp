@@ -11,6 +11,14 @@ DialogueContext::DialogueContext(
     : program(std::move(the_program)), options(std::move(the_options)),
       port(the_port), privacy(*program, interpreter, port) {}
 
+// A seat that the settings no longer name is as any other.
+Milliseconds DialogueContext::closes_after() const {
+  const auto& settings = program->settings;
+  const auto* seat = find_seat(settings.seats, options.seat);
+  return seat && seat->closes_after ? *seat->closes_after
+                                    : settings.sessions.closes_after;
+}
+
 // The port must know what is private before it is shown a text that may hold
 // it.
 void DialogueContext::inspect(InspectionKind kind, std::string subject,

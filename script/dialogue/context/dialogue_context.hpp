@@ -60,6 +60,8 @@ struct DialogueContext {
   Timestamp in(Milliseconds time) const {
     return now + time.count();
   }
+  // How long nobody has to speak until the session ends: at its seat.
+  Milliseconds closes_after() const;
   // Null: there is no active state.
   const script::State* active_state() const {
     return states.active() == script::no_id ? nullptr

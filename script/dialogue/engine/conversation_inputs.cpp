@@ -367,8 +367,7 @@ void ConversationImplementation::watch_nobody() {
            outside.waits_for_answer())
     stop_silence();
   else
-    watch_for(context.program->settings.sessions.closes_after,
-              Timer::Purpose::closing);
+    watch_for(context.closes_after(), Timer::Purpose::closing);
 }
 
 // A timer that watches already goes on, so that silence lasts from where it

@@ -58,7 +58,8 @@ public:
       return conversation.awaits_reply(message.correlation);
     });
     return {history_.id,         history_.opened.seed, input_,
-            conversation.save(), std::move(posts_),    std::move(turns_)};
+            conversation.save(), std::move(posts_),    std::move(turns_),
+            history_.opened.seat};
   }
 
 private:
@@ -75,7 +76,8 @@ Expected<std::unique_ptr<Replay>>
 replay_of(const Program& program,
           const std::shared_ptr<const PhraseEvaluator>& phrases,
           const SessionHistory& history) {
-  Conversation::Options options{history.id, history.opened.seed, phrases};
+  Conversation::Options options{history.id, history.opened.seed, phrases,
+                                history.opened.seat};
   if (history.state.empty())
     return std::make_unique<Replay>(program, std::move(options));
   return Replay::from(program, std::move(options), history.state);

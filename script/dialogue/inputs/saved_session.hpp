@@ -23,6 +23,7 @@ struct SavedSession {
   // a strict journal.
   std::vector<Message> posts;
   TurnLog turns;
+  std::string seat = {}; // the configured one; empty: another
 };
 
 } // namespace parlour::dialogue

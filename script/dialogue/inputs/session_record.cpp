@@ -69,6 +69,7 @@ void each(Visit visit, What& it) {
     visit(it.program);
     visit(it.seed);
     visit(it.strict);
+    visit(it.seat);
   } else if constexpr (std::is_same_v<Kind, InputTaken>) {
     visit(it.input);
     visit(it.answers);

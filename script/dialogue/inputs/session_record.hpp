@@ -5,7 +5,8 @@
 //   kind      a byte: the number of the alternative in SessionRecord
 //   session   text, its id
 //   opened    fixed, the program's identity; fixed, the session's seed;
-//             a byte, whether its effects waited for the journal
+//             a byte, whether its effects waited for the journal; block, the
+//             name of its configured seat, empty for another
 //   taken     block, the input; block, the port's answers (replay.hpp)
 //   state     as opened; fixed, how many inputs it has taken; block, the bytes
 //             of Conversation::save(); fixed, the turns taken and those that
@@ -30,13 +31,14 @@ namespace parlour::dialogue {
 
 // To be raised with each change of the form above; records of another version
 // are refused.
-inline constexpr std::uint8_t session_record_version = 2;
+inline constexpr std::uint8_t session_record_version = 3;
 
 // The session was made; its inputs follow, between those of others.
 struct SessionOpened {
   std::uint64_t program = 0; // identity_of it
   std::uint64_t seed = 1;
-  bool strict = false; // its effects waited for the journal
+  bool strict = false;   // its effects waited for the journal
+  std::string seat = {}; // the configured one; empty: another
 };
 
 // One input, with what was answered at once; both as the bytes of replay.hpp.

@@ -24,7 +24,7 @@ struct Kept : NotedWorld {
 
   Kept() : NotedWorld(bell) {
     history.id = "s1";
-    history.opened = {script::identity_of(*program), 1, true};
+    history.opened = {script::identity_of(*program), 1, true, "desk"};
     keep();
   }
   void take(SessionInput input) override {
@@ -48,6 +48,7 @@ TEST(Recovery, BringsBackWhatWas) {
   Kept kept;
   const auto saved = kept.recovered().value();
   EXPECT_EQ(saved->id, "s1");
+  EXPECT_EQ(saved->seat, "desk");
   EXPECT_EQ(saved->inputs, kept.history.inputs.size());
   EXPECT_EQ(saved->state, kept.conversation->save());
   ASSERT_THAT(saved->turns.said, SizeIs(1));

@@ -7,10 +7,12 @@ namespace {
 
 TEST(SessionRecord, IsReadAsItWasWritten) {
   const auto opened =
-      read_record(to_bytes({"K3f9", SessionOpened{7, 8}})).value();
+      read_record(to_bytes({"K3f9", SessionOpened{7, 8, false, "desk"}}))
+          .value();
   EXPECT_EQ(opened.session, "K3f9");
   EXPECT_EQ(std::get<SessionOpened>(opened.what).program, 7u);
   EXPECT_EQ(std::get<SessionOpened>(opened.what).seed, 8u);
+  EXPECT_EQ(std::get<SessionOpened>(opened.what).seat, "desk");
   const std::string any("\0\xff", 2);
   const auto taken =
       read_record(to_bytes({"K3f9", InputTaken{any, "b"}})).value();
@@ -56,7 +58,7 @@ TEST(SessionRecord, DamagedBytesAreAnError) {
       EXPECT_FALSE(read_record(bytes.substr(0, size)));
     EXPECT_FALSE(read_record(bytes + "x"));
   }
-  EXPECT_EQ(read_record(std::string("\2\7\0", 3)).error().kind,
+  EXPECT_EQ(read_record(std::string("\3\7\0", 3)).error().kind,
             ErrorKind::file);
   EXPECT_FALSE(read_record(std::string("\1\0\0", 3)));
 }

@@ -1,5 +1,6 @@
 #include "actors/components/placements.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace parlour::actors {
@@ -8,6 +9,13 @@ namespace {
 
 bool is_per_seat(const Deployment& deployment) {
   return deployment.order.policy.scope.kind == Scope::Kind::seat;
+}
+
+// Whether it has an instance at this seat.
+bool is_for(const Deployment& deployment, const InstanceScope& seat) {
+  const auto& bound_to = deployment.order.policy.seat;
+  return is_per_seat(deployment) &&
+         (bound_to.empty() || bound_to == seat.name());
 }
 
 } // namespace
@@ -19,8 +27,13 @@ void Placements::seat_opened(const actors::seat_opened& what) {
   const auto scope = std::make_shared<InstanceScope>(what.name, what.name);
   seats_[what.seat] = scope;
   for (const auto& deployment : deployments_.all())
-    if (is_per_seat(*deployment))
+    if (is_for(*deployment, *scope))
       attach_seat(deployment, scope);
+}
+
+bool Placements::has_seat(const std::string& name) const {
+  return std::ranges::any_of(
+      seats_, [&](const auto& seat) { return seat.second->name() == name; });
 }
 
 void Placements::seat_closed(const actors::seat_closed& what) {
@@ -46,8 +59,8 @@ void Placements::settle(const DeploymentPointer& deployment) {
     service_for(deployment, node_);
     return;
   }
-  if (is_per_seat(*deployment))
-    for (const auto& [actor, scope] : seats_)
+  for (const auto& [actor, scope] : seats_)
+    if (is_for(*deployment, *scope))
       attach_seat(deployment, scope);
   for (const auto& [session, seat] : parts_.sessions.seats())
     attach(deployment, session, seat);
@@ -71,7 +84,7 @@ void Placements::attach(const DeploymentPointer& deployment,
   auto scope = std::make_shared<InstanceScope>(session, session);
   if (is_per_seat(*deployment)) {
     const auto found = seats_.find(seat);
-    if (found == seats_.end())
+    if (found == seats_.end() || !is_for(*deployment, *found->second))
       return;
     scope = found->second;
     scope->begins(session);

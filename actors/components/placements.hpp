@@ -13,6 +13,7 @@ namespace parlour::actors {
 // A component with scope="session" has an instance for each session, one with
 // scope="seat" for each seat. They come with the seat or session, or with the
 // component if that is loaded later (settle), and go with the first of them.
+// One that is bound to a configured seat has an instance there alone.
 class Placements {
 public:
   // A component has instances for no more scopes: each costs a thread.
@@ -27,6 +28,9 @@ public:
   void seat_closed(const actors::seat_closed& what);
   void session_begins(const SessionId& session);
   void session_ended(const session_ended& what);
+
+  // Whether a component may be bound to it.
+  bool has_seat(const std::string& name) const;
 
   // Every scope gets what it is to have of this component.
   void settle(const DeploymentPointer& deployment);

@@ -88,6 +88,11 @@ void Supervision::stop_all() {
 Expected<void> Supervision::may_load(const ComponentOrder& order) const {
   if (closing_)
     return fail(ErrorKind::cancelled, "the application stops");
+  if (const auto& seat = order.policy.seat;
+      !seat.empty() && !placements_.has_seat(seat))
+    return fail(ErrorKind::settings,
+                order.name + ": there is no seat '" + seat +
+                    "' in this run; seats are those with which it was started");
   return rules_.check(order);
 }
 

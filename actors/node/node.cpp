@@ -12,13 +12,61 @@ namespace parlour::actors {
 
 class Node::Implementation {
 public:
-  explicit Implementation(NodeOptions options) : runtime(std::move(options)) {}
+  explicit Implementation(NodeOptions options)
+      : configured(options.program->settings.seats),
+        runtime(std::move(options)) {
+    for (const auto& seat : configured) {
+      set_actor(seat.name, {}); // known before its actor
+      set_actor(seat.name,
+                runtime.open_seat(seat.name,
+                                  calls_of(seat.name, calls_given(seat.name))));
+    }
+  }
 
   // A seat of a visit has no actor here: the session manager has it.
   struct Seat {
     seat_actor actor;
     SessionId session; // empty: none
+    // Of a configured one, by open_seat(); null: not yet.
+    std::shared_ptr<const SeatCallbacks> given = nullptr;
   };
+
+  // What a tool has given for a configured seat, which exists before the tool
+  // can ask for it.
+  SeatCallbacks calls_given(const SeatId& seat) {
+    const auto tell = [this, seat](auto callback, const auto&... what) {
+      if (const auto given = seat_of(seat).given)
+        if (const auto& call = (*given).*callback)
+          call(what...);
+    };
+    return {[=](const auto& session, const auto& output) {
+              tell(&SeatCallbacks::on_output, session, output);
+            },
+            [=](const auto& session) {
+              tell(&SeatCallbacks::on_session_end, session);
+            },
+            [=](const auto& session) {
+              tell(&SeatCallbacks::on_session_begin, session);
+            },
+            [=](const auto& session, auto turn) {
+              tell(&SeatCallbacks::on_turns_done, session, turn);
+            }};
+  }
+  // The first that nobody was given, who is given it now; empty: none is left.
+  SeatId give_configured(SeatCallbacks& callbacks) {
+    std::lock_guard lock(mutex);
+    for (const auto& one : configured)
+      if (auto& seat = seats[one.name]; !seat.given) {
+        seat.given =
+            std::make_shared<const SeatCallbacks>(std::move(callbacks));
+        return one.name;
+      }
+    return {};
+  }
+  void set_actor(const SeatId& seat, seat_actor actor) {
+    std::lock_guard lock(mutex);
+    seats[seat].actor = std::move(actor);
+  }
 
   // A seat that is closed has none.
   Seat seat_of(const SeatId& seat) {
@@ -85,6 +133,7 @@ public:
   std::mutex mutex; // of the seats: session_over comes from their threads
   std::unordered_map<SeatId, Seat> seats;
   std::atomic<std::uint64_t> last_seat = 0;
+  const std::vector<SeatSettings> configured;
   // The last member: its actors, which call back into the others, end first.
   NodeRuntime runtime;
 };
@@ -124,11 +173,11 @@ Expected<std::unique_ptr<Node>> Node::start(NodeOptions options) {
 
 SeatId Node::open_seat(SeatCallbacks callbacks) {
   auto& self = *implementation_;
+  if (auto configured = self.give_configured(callbacks); !configured.empty())
+    return configured;
   auto id = self.add_seat();
-  auto actor =
-      self.runtime.open_seat(id, self.calls_of(id, std::move(callbacks)));
-  std::lock_guard lock(self.mutex);
-  self.seats[id].actor = std::move(actor);
+  self.set_actor(
+      id, self.runtime.open_seat(id, self.calls_of(id, std::move(callbacks))));
   return id;
 }
 

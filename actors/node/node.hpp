@@ -60,7 +60,10 @@ public:
   static Expected<std::unique_ptr<Node>> start(NodeOptions options);
   ~Node(); // stops, and leaves behind what does not
 
-  // A seat that stays until the node ends; no conversation begins yet.
+  // A seat that stays until the node ends; no conversation begins yet. It is
+  // the first configured one that nobody was given, whose components are there
+  // then, or a new one where none is left. A configured seat exists from the
+  // start under its name, also where nobody asks for it.
   SeatId open_seat(SeatCallbacks callbacks);
   // A conversation begins: Session.Started is handled and the opening prompt
   // released when this returns.

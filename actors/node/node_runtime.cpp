@@ -150,8 +150,8 @@ Expected<void> NodeRuntime::start_components() {
 std::vector<std::size_t> NodeRuntime::in_starting_order() const {
   std::vector<std::size_t> order(options_.components.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_partition(order.begin(), order.end(), [this](std::size_t rank) {
-    return starts_first(options_.components[rank]);
+  std::ranges::stable_sort(order, {}, [this](std::size_t rank) {
+    return phase_of_start(options_.components[rank]);
   });
   return order;
 }

@@ -28,9 +28,11 @@ const ComponentOrder* find_order(const std::vector<ComponentOrder>& all,
 
 } // namespace
 
-bool starts_first(const ComponentOrder& order) {
+int phase_of_start(const ComponentOrder& order) {
   const auto& roles = order.factory.description.roles;
-  return std::ranges::find(roles, "Database") != roles.end();
+  if (std::ranges::find(roles, "Database") != roles.end())
+    return 0;
+  return order.policy.scope.kind == Scope::Kind::seat ? 2 : 1;
 }
 
 Reloader::Reloader(Parts parts, ChangedApplication first)
@@ -103,7 +105,7 @@ Expected<void> Reloader::load_changed(const ChangedApplication& to,
     const auto* before = find_order(current_.components, one.name);
     return before && before->same_as(one) && !readers.contains(one.name);
   });
-  std::stable_partition(changed.begin(), changed.end(), starts_first);
+  std::ranges::stable_sort(changed, {}, phase_of_start);
   for (const auto& one : changed)
     if (auto done = load(one, loaded); !done)
       return done;

@@ -63,7 +63,9 @@ private:
   ChangedApplication current_;
 };
 
-// Those that others read from when they start.
-bool starts_first(const ComponentOrder& order);
+// Components start in the order of these numbers: those that others read from
+// when they start come first. Those of seats come last, as a conversation may
+// open as soon as one of them hears somebody.
+int phase_of_start(const ComponentOrder& order);
 
 } // namespace parlour::actors

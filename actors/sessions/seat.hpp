@@ -2,9 +2,14 @@
 // This one shows what is said by calling back; text is heard at once.
 #pragma once
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "actors/routing/session_directory.hpp"
 #include "actors/support/node_time.hpp"
 #include "actors/support/observer.hpp"
+#include "runtime/base/settings.hpp"
 #include "script/dialogue/agenda/output_queue.hpp"
 
 namespace parlour::actors {
@@ -42,5 +47,11 @@ struct seat_state {
 // it does not take this as the end of the speech (engine rule 3.8).
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
                                SeatParts parts, SeatCalls calls);
+
+// What the settings call this one of a node's seats; empty: it is none of
+// theirs.
+std::string configured_name(const seat_actor& seat,
+                            const std::map<std::string, seat_actor>& seats,
+                            const std::vector<SeatSettings>& configured);
 
 } // namespace parlour::actors

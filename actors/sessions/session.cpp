@@ -348,7 +348,7 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
   state.dialogue = std::make_unique<SessionDialogue>(
       state.parts->program,
       dialogue::ConversationOptions{std::move(order.id), order.seed,
-                                    state.parts->phrases},
+                                    state.parts->phrases, order.seat_name},
       std::move(make_port),
       JournalUse{state.parts->journal, state.parts->strict_journal,
                  std::move(when_written)},

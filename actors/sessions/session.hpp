@@ -18,6 +18,7 @@ struct SessionOrder {
   std::uint64_t seed = 1;
   seat_actor seat;
   std::shared_ptr<const dialogue::SavedSession> saved = nullptr; // null: new
+  std::string seat_name = {}; // of a configured one; empty: of another
 };
 
 // Used by the session's actor alone. `parts` and `time` outlive it.

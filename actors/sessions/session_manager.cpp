@@ -1,6 +1,5 @@
 #include "actors/sessions/session_manager.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <caf/typed_event_based_actor.hpp>
@@ -8,6 +7,7 @@
 #include "actors/sessions/program_change.hpp"
 #include "actors/sessions/seat.hpp"
 #include "actors/sessions/session.hpp"
+#include "actors/sessions/unaddressed.hpp"
 #include "actors/support/actor_trace.hpp"
 #include "actors/support/tell_status.hpp"
 #include "runtime/message/roles.hpp"
@@ -47,7 +47,9 @@ SessionId open(Self self, const open_session& what, bool tells_seat = false) {
   auto session = self->spawn<caf::monitored>(
       actors::session, state.parts,
       SessionOrder{id, saved ? saved->seed : state.names.next_seed(), what.seat,
-                   saved});
+                   saved,
+                   configured_name(what.seat, state.seats,
+                                   state.parts->program->settings.seats)});
   auto& metrics = state.parts->observer.metrics();
   (saved ? metrics.sessions_recovered : metrics.sessions_opened).add();
   state.directory->add(id, session, what.seat);
@@ -68,15 +70,14 @@ seat_actor last_seat_of(const session_manager_state& state,
   for (const auto& [id, seat] : state.departed)
     if (id == session)
       return seat;
-  // Who speaks for a seat without a session names the seat.
-  const auto named = state.seats.find(session);
-  return named == state.seats.end() ? seat_actor() : named->second;
+  return {};
 }
 
 // Nobody reads these any more; they are counted and shown.
-void leave_unhandled(MessageBus& bus, const std::vector<Message>& messages) {
+void leave_unhandled(MessageBus& bus, const std::vector<Message>& messages,
+                     const char* why = "its session is over") {
   for (const auto& message : messages)
-    bus.unhandled(message, "its session is over");
+    bus.unhandled(message, why);
 }
 
 // User turns, or the message of an `<open>`: they are the first that the
@@ -95,19 +96,23 @@ void bring(Self self, const seat_actor& seat, std::vector<Message> turns,
   self->send(state.sessions[id].session, deliver{std::move(turns), work});
 }
 
-// What a session that is over will not read: user turns are the next one's at
-// its seat, answers and events meant the old one.
+// What a session that is over will not read, or what a seat's own components
+// say: these name the seat while it has no session, and what they say is the
+// session's if one has begun meanwhile.
 void take_further(Self self, const SessionId& session,
                   std::vector<Message> messages, const InFlight& work) {
-  auto& bus = self->state.parts->bus;
-  const auto seat = last_seat_of(self->state, session);
-  const auto table = bus.table();
-  auto others = std::stable_partition(
-      messages.begin(), messages.end(), [&](const Message& message) {
-        return seat && table->begins_turn(message);
-      });
-  leave_unhandled(bus, {others, messages.end()});
-  messages.erase(others, messages.end());
+  auto& state = self->state;
+  auto& bus = state.parts->bus;
+  const auto named = state.seats.find(session);
+  const bool is_seat = named != state.seats.end();
+  const auto seat = is_seat ? named->second : last_seat_of(state, session);
+  if (!seat)
+    return leave_unhandled(bus, messages);
+  if (!is_seat)
+    leave_unhandled(bus, take_others(messages, *bus.table(), {}));
+  else if (session_at(state, seat).empty())
+    leave_unhandled(bus, take_others(messages, *bus.table(), session),
+                    "no conversation is going on at its seat");
   if (!messages.empty())
     bring(self, seat, std::move(messages), work);
 }
@@ -178,16 +183,6 @@ void notice_loss(Self self, const caf::down_msg& down) {
 }
 
 // -- messages -----------------------------------------------------------------
-
-// "*" stands for any event.
-// A source may be a role or a component's name.
-bool is_subscribed(const std::vector<Subscription>& all,
-                   const RoutingTable& table, const Message& message) {
-  return std::ranges::any_of(all, [&](const Subscription& one) {
-    return (one.command == "*" || one.command == message.command) &&
-           table.is_source(one.source, message.source);
-  });
-}
 
 // A sensor sees somebody, a robot has arrived: a conversation opens at each
 // seat that has none, and gets the message (engine rule 1.8).

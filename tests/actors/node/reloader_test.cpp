@@ -3,6 +3,7 @@
 #include <future>
 
 #include "actors/node/node.hpp"
+#include "actors/node/reloader.hpp"
 #include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
@@ -46,6 +47,15 @@ protected:
 
   std::vector<ComponentOrder> components;
 };
+
+TEST(Reloader, KnowsWhichComponentsStartFirst) {
+  auto database = answering("Rows", "Database", "Answer");
+  auto robot = answering("Olivia", "Robot", "Arrived");
+  auto ear = answering("Ear", "Microphone", "Audio");
+  ear.policy.scope.kind = Scope::Kind::seat;
+  EXPECT_LT(phase_of_start(database), phase_of_start(robot));
+  EXPECT_LT(phase_of_start(robot), phase_of_start(ear));
+}
 
 TEST_F(ReloaderTest, ConversationsGoOnWhereTheyAre) {
   start_with(counter("One:"), "Desk");

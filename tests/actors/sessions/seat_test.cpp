@@ -84,5 +84,17 @@ TEST_F(SeatTest, CallsNobodyOnceTheNodeIsLeftBehind) {
   EXPECT_THAT(calls, ElementsAre("a next"));
 }
 
+TEST(ConfiguredName, IsThatOfTheSettings) {
+  Bench bench;
+  const auto desk = bench.seat_probe();
+  const auto visitor = bench.seat_probe();
+  const std::map<std::string, seat_actor> seats = {{"desk", desk},
+                                                   {"seat-1", visitor}};
+  const std::vector<SeatSettings> configured = {{"hall"}, {"desk"}};
+  EXPECT_EQ(configured_name(desk, seats, configured), "desk");
+  EXPECT_EQ(configured_name(visitor, seats, configured), "");
+  EXPECT_EQ(configured_name(desk, seats, {}), "");
+}
+
 } // namespace
 } // namespace parlour::actors

@@ -129,6 +129,26 @@ TEST_F(SessionManagerTest, OpensAConversationForWhatASensorSays) {
   EXPECT_FALSE(bench.sessions.find("s3"));
 }
 
+// A component of the seat names the seat while nothing goes on there.
+TEST_F(SessionManagerTest, OpensAConversationForWhatASeatsOwnComponentSays) {
+  bench.send(manager, seat_opened{"lobby", bench.seat_probe(), bench.work()});
+  bench.send(manager, seat_opened{"desk", bench.seat_probe(), bench.work()});
+  say("lobby", {event("Bell", "Rings", {1})});  // not of that kind
+  say("desk", {event("Bell", "Strikes", {1})}); // not meant
+  EXPECT_THAT(bench.seen, IsEmpty());
+  EXPECT_THAT(bench.logs,
+              ElementsAre(HasSubstr("Bell.Rings"), HasSubstr("Bell.Strikes")));
+  bench.logs.clear();
+  say("lobby", {event("Bell", "Strikes", {2}), event("Bell", "Rings", {3})});
+  EXPECT_THAT(bench.seen,
+              ElementsAre("s1 is next", "says Struck 2", "says Ding 3"));
+  bench.seen.clear();
+  say("lobby", {event("Bell", "Rings", {4})}); // it goes on now
+  EXPECT_THAT(bench.seen, ElementsAre("says Ding 4"));
+  EXPECT_THAT(bench.logs, IsEmpty());
+  EXPECT_TRUE(bench.time.work.none());
+}
+
 TEST_F(SessionManagerTest, SaysWhatNobodyTakes) {
   open();
   forward_all({event("Bell", "Rings", {}, "nobody")});

@@ -12,8 +12,10 @@
 #include "script/lint/lint.hpp"
 #include "tools/parlour/application/agent_listener.hpp"
 #include "tools/parlour/application/plugins/load_check.hpp"
+#include "tools/parlour/application/plugins/seat_bindings.hpp"
 #include "tools/parlour/application/plugins/shipped_plugin.hpp"
 #include "tools/parlour/application/resource_check.hpp"
+#include "tools/parlour/application/seat_events.hpp"
 #include "tools/parlour/application/sql/sql_lint.hpp"
 
 namespace parlour::tools {
@@ -149,14 +151,17 @@ Application load_application(const fs::path& folder, const fs::path& platform,
   // there are.
   auto compiled = compile_folder(folder, platform, sources);
   application.program = compiled.program;
+  const auto settings = application.program
+                            ? application.program->settings
+                            : settings_alone(folder, platform, sources);
   application.composition =
-      compose(application.program ? application.program->settings
-                                  : settings_alone(folder, platform, sources),
-              // Only called during compose(), so references may be captured.
-              *plugins, [&](const auto& component, const auto& option) {
+      // Only called during compose(), so references may be captured.
+      compose(settings, *plugins,
+              [&](const auto& component, const auto& option) {
                 return place_of_option(folder, platform, sources.texts,
                                        component, option);
               });
+  bind_to_seats(settings, application.composition);
   tell_platform(application.composition, platform);
   // The lints add to the compiler's findings, so they run before these are
   // copied. All later checks add to the application's findings.
@@ -169,8 +174,12 @@ Application load_application(const fs::path& folder, const fs::path& platform,
   const auto loads = check_loads(compiled, application.composition, *plugins);
   findings.insert(findings.end(), loads.begin(), loads.end());
   check_resources(application, columns_of_slots(compiled));
-  if (application.program)
+  if (application.program) {
     check_agents(application);
+    const auto openings =
+        check_seat_events(*application.program, application.composition);
+    findings.insert(findings.end(), openings.begin(), openings.end());
+  }
   sort(findings);
   // A program may have compiled and a component may still be wrong: nobody
   // must run it then.

@@ -152,6 +152,8 @@ struct Changes {
   std::vector<std::string> sleepers;
   std::string wake;
 
+  // Where there are configured seats, the run talks at the first of them
+  // (actors::Node::open_seat), and so the devices are there.
   void apply(Settings& settings) const {
     auto added = in;
     for (auto& component : added)
@@ -165,6 +167,10 @@ struct Changes {
       if (std::ranges::count(sleepers, component.name) != 0)
         component.options.try_emplace("sleeps-after", sleeps_after);
     }
+    if (!settings.seats.empty())
+      for (auto& component : added)
+        if (component.policy.scope.kind == Scope::Kind::seat)
+          component.policy.seat = settings.seats.front().name;
     settings.components.insert(settings.components.begin(), added.begin(),
                                added.end());
   }

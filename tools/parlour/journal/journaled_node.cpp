@@ -40,4 +40,17 @@ Expected<JournaledNode> with_journal(actors::NodeOptions options,
   return JournaledNode{std::move(options), std::move(*recovered)};
 }
 
+// Where an event has opened another one there meanwhile, the one before goes to
+// the caller, too.
+std::vector<dialogue::SavedSession>
+go_on_at_seats(actors::Node& node, const Settings& settings,
+               std::vector<dialogue::SavedSession> left,
+               const std::string& except) {
+  std::erase_if(left, [&](const dialogue::SavedSession& saved) {
+    return saved.seat != except && find_seat(settings.seats, saved.seat) &&
+           !node.go_on(saved.seat, saved).empty();
+  });
+  return left;
+}
+
 } // namespace parlour::tools

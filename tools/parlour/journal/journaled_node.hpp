@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "actors/node/node_options.hpp"
+#include "actors/node/node.hpp"
 #include "adapters/journal/journal_folder.hpp"
 #include "tools/parlour/journal/session_recovery.hpp"
 
@@ -31,5 +33,12 @@ journal_options(const actors::NodeOptions& node, const JournalWishes& wishes);
 // run's. What goes wrong with it later is told by the options' `log`.
 Expected<JournaledNode> with_journal(actors::NodeOptions options,
                                      const JournalWishes& wishes);
+
+// Conversations of configured seats go on there; returned are the others, and
+// that of the seat `except`, in their order.
+std::vector<dialogue::SavedSession>
+go_on_at_seats(actors::Node& node, const Settings& settings,
+               std::vector<dialogue::SavedSession> left,
+               const std::string& except = {});
 
 } // namespace parlour::tools

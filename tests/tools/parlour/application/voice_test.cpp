@@ -200,6 +200,24 @@ TEST_F(VoiceTest, TakesFilesInThePlaceOfDevices) {
   EXPECT_EQ(speaker->options.at("device"), "plughw:\"1&2\"");
 }
 
+// A run talks at the first seat, whatever the settings have elsewhere.
+TEST_F(VoiceTest, IsAtTheFirstSeatOfTheSettings) {
+  settings("<Plugins><Plugin>AlsaMicrophone</Plugin></Plugins>"
+           "<Scripts><Script>own.xml</Script></Scripts>"
+           "<seat name=\"desk\"/>"
+           "<seat name=\"hall\" Microphone=\"AlsaMicrophone\"/>");
+  const auto seat_of = [&](const char* name, const VoiceWishes& wishes) {
+    const auto application = load(wishes);
+    EXPECT_TRUE(application && application->program);
+    const auto& components = application->composition.components;
+    return std::ranges::find(components, name, &ChosenComponent::name)
+        ->policy.seat;
+  };
+  EXPECT_EQ(seat_of("AlsaMicrophone", {}), "hall");
+  EXPECT_EQ(seat_of("AlsaSpeaker", {}), "desk");
+  EXPECT_EQ(seat_of("AlsaMicrophone", {"hw:1", ""}), "desk");
+}
+
 // But for what the command line says.
 TEST_F(VoiceTest, KeepsTheOptionsOfItsPlugins) {
   settings("<Plugins><Plugin>FileMicrophone</Plugin></Plugins>"

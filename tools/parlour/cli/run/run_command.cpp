@@ -103,6 +103,7 @@ public:
         (*node)->stop();
         return give_up(watched.error());
       }
+    go_on_elsewhere(**node);
     if (wants_terminal())
       talk_on_terminal(**node);
     else
@@ -253,14 +254,26 @@ private:
                                                         : asked_for;
   }
 
-  // The conversation that a run before has left, if it was killed: there is one
-  // seat here, so that the last one goes on.
+  // At the configured seats where nobody talks by this run; that has the first.
+  void go_on_elsewhere(actors::Node& node) {
+    const auto& settings = application_.program->settings;
+    const auto all = left_.size();
+    left_ = go_on_at_seats(node, settings, std::move(left_),
+                           settings.seats.empty() ? std::string()
+                                                  : settings.seats[0].name);
+    if (left_.size() < all)
+      note(fmt::format("conversations that go on at other seats: {}",
+                       all - left_.size()));
+  }
+
+  // The conversation that a run before has left at this seat, if it was killed:
+  // the last one goes on.
   std::optional<dialogue::SavedSession> last_left() {
     if (left_.empty())
       return std::nullopt;
     if (left_.size() > 1)
       note(fmt::format("{} more conversations of the journal do not go on: "
-                       "this run has one seat",
+                       "they have no seat in this run",
                        left_.size() - 1));
     note("the conversation goes on that the run before has left");
     return std::move(left_.back());

@@ -61,6 +61,8 @@ public:
     auto node = actors::Node::start(std::move(journaled->options));
     if (!node)
       return give_up(node.error());
+    left =
+        go_on_at_seats(**node, application_.program->settings, std::move(left));
     NodeHost host;
     auto server = web::TextServer::start(
         server_options(visitors_of(left)), host,

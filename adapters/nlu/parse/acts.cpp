@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "adapters/nlu/parse/act_scores.hpp"
 #include "adapters/nlu/parse/asides.hpp"
 #include "adapters/nlu/parse/doubt.hpp"
 
@@ -327,54 +328,6 @@ private:
   const Island* wait_ = nullptr;
   const Island* lead_in_ = nullptr;
 };
-
-// How much of each token is understood, from 0 to its weight. An island's
-// coverage is spread evenly over its tokens.
-std::vector<double> coverage(const Chain& chain, std::size_t size) {
-  std::vector<double> covered(size, 0);
-  for (const auto& link : chain.links) {
-    const auto& island = *link.island;
-    const auto length = double(island.end - island.begin);
-    for (auto at = island.begin; at < island.end; ++at)
-      covered[at] = island.covered / length;
-  }
-  return covered;
-}
-
-double bonus_of(const BuiltAct& act, const Context& context) {
-  if (act.topic == no_topic)
-    return 0;
-  const bool asked =
-      act.topic == context.asked_topic && find(act.fills, context.asked_slot);
-  return context.bonus(act.topic) + (asked ? asked_bonus : 0);
-}
-
-// An act is scored on the tokens from its begin to the begin of the next one;
-// one that a rule declares, within its clauses: "What a big house. Where do I
-// find Kelvin Ho?" asks a clear question. A mere value among much that is not
-// understood says little, whatever clause it is in.
-void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
-                const Utterance& utterance, const Context& context) {
-  const auto covered = coverage(chain, utterance.size());
-  for (std::size_t at = 0; at < acts.size(); ++at) {
-    const auto& act = acts[at];
-    std::size_t first = at == 0 ? 0 : act.begin;
-    std::size_t last =
-        at + 1 < acts.size() ? acts[at + 1].begin : utterance.size();
-    if (act.is_declared) {
-      const auto clause =
-          stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);
-      first = std::max<std::size_t>(first, clause.begin);
-      last = std::min<std::size_t>(last, clause.end);
-    }
-    const auto whole = utterance.weight_of(first, last);
-    double sum = 0;
-    for (auto token = first; token < last; ++token)
-      sum += covered[token];
-    acts[at].understood = whole > 0 ? std::min(1.0, sum / whole) : 1.0;
-    acts[at].score = acts[at].understood + bonus_of(acts[at], context);
-  }
-}
 
 } // namespace
 

@@ -1,10 +1,12 @@
-// same-example: two topics have the same example, so nobody can tell which is
-// meant.
+// same-example: two topics have the same example, perhaps with other courtesy
+// or another value, so nobody can tell which is meant.
 //
-//   <topic name="Taxi"><examples><value>I want to go</value>…
-//   <topic name="Room"><examples><value>I want to go!</value>…
+//   <topic name="Taxi"><examples><value>I want to go to [Bedok](To)</value>…
+//   <topic name="Room"><examples><value>go to [Tampines](To), please</value>…
 #include <cctype>
 #include <map>
+#include <optional>
+#include <set>
 
 #include "script/lint/passes.hpp"
 
@@ -12,25 +14,62 @@ namespace parlour::script::lint {
 
 namespace {
 
-// The words of an example without marks and punctuation: "I want
-// [David](Host)!" becomes "i want david".
-std::string words_of(std::string_view example) {
-  std::string words;
-  bool in_slot_name = false;
-  for (std::size_t at = 0; at < example.size(); ++at) {
+// Said around a wish and part of none: with and without them an example is the
+// same.
+bool is_courtesy(const std::string& word) {
+  static const std::set<std::string> words{
+      "a",   "an",   "and", "can",  "could", "d",     "hello",  "hi",   "i",
+      "id",  "like", "me",  "my",   "need",  "our",   "please", "some", "thank",
+      "the", "to",   "us",  "want", "we",    "would", "you"};
+  return words.contains(word);
+}
+
+// The words of an example without punctuation and courtesy: "I want
+// [David](Host)!" becomes "david"; with `by_slots` "[host]".
+class KeyWords {
+public:
+  KeyWords(std::string_view example, bool by_slots) : by_slots_(by_slots) {
+    for (std::size_t at = 0; at < example.size(); ++at)
+      take(example, at);
+    end_word();
+  }
+
+  // All words, where courtesy is all that is said.
+  const std::string& text() const {
+    return keys_.empty() ? all_ : keys_;
+  }
+
+private:
+  void take(std::string_view example, std::size_t at) {
     const auto letter = static_cast<unsigned char>(example[at]);
     const bool opens = letter == '(' && at > 0 && example[at - 1] == ']';
-    in_slot_name = (in_slot_name || opens) && letter != ')';
-    const bool counts = letter >= 0x80 || std::isalnum(letter);
-    if (!in_slot_name && counts)
-      words += static_cast<char>(std::tolower(letter));
-    else if (std::isspace(letter) && !words.empty() && words.back() != ' ')
-      words += ' ';
+    if (opens || letter == '[' || letter == ')')
+      end_word();
+    in_value_ = (in_value_ || letter == '[') && letter != ']';
+    in_slot_name_ = (in_slot_name_ || opens) && letter != ')';
+    const bool hidden = by_slots_ ? in_value_ : in_slot_name_;
+    if (letter >= 0x80 || std::isalnum(letter)) {
+      if (!hidden)
+        word_ += static_cast<char>(std::tolower(letter));
+    } else if (letter != '\'') {
+      end_word();
+    }
   }
-  if (words.ends_with(' '))
-    words.pop_back();
-  return words;
-}
+
+  void end_word() {
+    if (word_.empty())
+      return;
+    all_ += word_ + ' ';
+    if (!is_courtesy(word_))
+      keys_ += word_ + ' ';
+    word_.clear();
+  }
+
+  const bool by_slots_;
+  bool in_value_ = false;
+  bool in_slot_name_ = false;
+  std::string word_, all_, keys_;
+};
 
 // Remembers the topic of each example seen so far.
 class ExampleLint {
@@ -46,19 +85,41 @@ public:
   }
 
 private:
+  struct Known {
+    std::string topic;
+    std::string example;
+  };
+  using Examples = std::map<std::string, Known>; // the first of these words
+
   // The same words twice in one topic are harmless.
   void look_at(const Element& example, const std::string& topic) {
-    const auto words = words_of(example.text);
-    const auto [known, fresh] = topics_.try_emplace(words, topic);
-    if (!words.empty() && !fresh && known->second != topic)
+    const bool is_marked = example.text.find("](") != std::string::npos;
+    const auto said = same_as(by_words_, example, topic, false);
+    const auto other =
+        said || !is_marked ? said : same_as(by_slots_, example, topic, true);
+    if (other)
       warn(findings_, "same-example", example.position,
-           "the topic '" + known->second +
-               "' has this example too: who says so may be asked which is "
-               "meant; keep it in one of them, or add words that tell them "
-               "apart");
+           "the topic '" + other->topic + "' has this example too" +
+               (other->example == example.text
+                    ? std::string()
+                    : " (\"" + collapsed(other->example) + "\")") +
+               ": who says so may be asked which is meant; keep it in one of "
+               "them, or add words that tell them apart");
   }
 
-  std::map<std::string, std::string> topics_; // the first one with these words
+  static std::optional<Known> same_as(Examples& examples,
+                                      const Element& example,
+                                      const std::string& topic, bool by_slots) {
+    const auto words = KeyWords(example.text, by_slots).text();
+    const auto [known, fresh] =
+        examples.try_emplace(words, Known{topic, example.text});
+    if (words.empty() || fresh || known->second.topic == topic)
+      return {};
+    return known->second;
+  }
+
+  Examples by_words_;
+  Examples by_slots_; // of those that have marks
   Findings& findings_;
 };
 

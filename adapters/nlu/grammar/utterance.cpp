@@ -170,6 +170,7 @@ bool Utterance::is_negated(std::size_t begin) const {
 Utterance make_utterance(std::string_view text, const Automaton& automaton) {
   Utterance made;
   made.text = text;
+  made.automaton = &automaton;
   made.tokens = tokenize(text);
   if (has_noise(made.tokens.list))
     remove_noise(made.tokens, automaton);

@@ -14,8 +14,9 @@ inline constexpr double full_weight = 1;
 
 // The vectors have one entry for each token.
 struct Utterance {
-  // Not owned; it must outlive the utterance.
+  // Not owned, like the automaton; both must outlive the utterance.
   std::string_view text;
+  const Automaton* automaton = nullptr;
   Tokens tokens;
   std::vector<WordNumber> words;
   // As which other words they may be read; of the automaton, null for none.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "adapters/nlu/parse/act_scores.hpp"
 #include "adapters/nlu/parse/asides.hpp"
+#include "adapters/nlu/parse/denied_values.hpp"
 #include "adapters/nlu/parse/doubt.hpp"
 
 namespace parlour::adapters::nlu {
@@ -31,6 +33,8 @@ struct Group {
   bool negated = false;
   bool leads_in = false;
   bool only_bare = true;
+  // Some of several values are not wanted, up to this token; 0: none.
+  std::uint32_t without = 0;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 };
@@ -114,17 +118,21 @@ private:
       close();
       add_held();
     }
-    if (!open_ || is_negated(island) != group_.negated || !continues(link))
+    const auto without = end_of_unwanted(link);
+    if (!open_ || is_negated(link) != group_.negated || !continues(link))
       begin_group(link);
+    group_.without = std::max(group_.without, without);
     if (!island.act.empty() && group_.act.empty())
       group_.act = island.act;
     group_.only_bare = group_.only_bare && is_value(island);
     const bool denied = denies(island) || (is_value(island) &&
                                            utterance_.is_negated(island.begin));
-    auto& fills = denied ? group_.denied : group_.fills;
-    for (const auto& fill : island.fills)
+    for (const auto& fill : island.fills) {
+      auto& fills =
+          denied || fill.begin < without ? group_.denied : group_.fills;
       if (!adds_to(fills, island, fill))
         put(fills, fill, link.topic);
+    }
     group_.end = island.end;
     marker_ = nullptr;
     wait_ = nullptr;
@@ -150,11 +158,28 @@ private:
            utterance_.weight_of(marker_->end, island.begin) < full_weight;
   }
 
+  // Behind the values that are not wanted, of a slot with several: "no towels,
+  // one more pillow", "we need no towels, only a pillow". 0: there are none.
+  std::uint32_t end_of_unwanted(const ChainLink& link) const {
+    const auto& island = *link.island;
+    if (island.fills.empty() ||
+        !schema_.at(link.topic).takes_many(island.fills[0].slot))
+      return 0;
+    if (marker_ && denies_first_value(utterance_, *marker_, island))
+      return end_of_denied(utterance_, island);
+    if (is_value(island) || !utterance_.is_negated(island.begin))
+      return 0;
+    const auto end = end_of_denied(utterance_, island);
+    return end < island.fills.back().begin ? end : 0;
+  }
+
   // A negated order. A denied value ("not the blue one") is something else.
-  bool is_negated(const Island& island) const {
+  bool is_negated(const ChainLink& link) const {
+    const auto& island = *link.island;
     const bool names_value =
         is_value(island) || (denies(island) && !island.fills.empty());
-    return !names_value && utterance_.is_negated(island.begin);
+    return !names_value && utterance_.is_negated(island.begin) &&
+           end_of_unwanted(link) == 0;
   }
 
   // Whether the island says more of what the group says. Repeating a slot
@@ -189,7 +214,7 @@ private:
     close();
     group_ = {};
     group_.topic = link.topic;
-    group_.negated = is_negated(*link.island);
+    group_.negated = is_negated(link);
     group_.corrects =
         marker_ && !changes_topic(link.topic) && link.island->act != "request";
     if (marker_ && link.island->act == "request" && acts_.empty() &&
@@ -236,6 +261,8 @@ private:
       return;
     }
     act.topic = group_.topic;
+    if (group_.without > 0 && !group_.fills.empty())
+      take_out_denied(act);
     act.act = act_of_group();
     act.is_declared = !group_.act.empty();
     act.fills = group_.fills.empty() ? group_.denied : group_.fills;
@@ -243,6 +270,18 @@ private:
     act.is_aside = group_.only_bare && !group_.leads_in &&
                    act.act != "correct" && act.act != "deny";
     acts_.push_back(std::move(act));
+  }
+
+  // What is not wanted is an act of its own, if anything may have been said of
+  // it before; the others replace nothing.
+  void take_out_denied(BuiltAct& others) {
+    auto act = others;
+    act.act = "deny";
+    act.fills = std::exchange(group_.denied, {});
+    act.end = others.begin = group_.without;
+    if (context_.goes_on(act.topic))
+      acts_.push_back(std::move(act));
+    group_.corrects = false;
   }
 
   // Denied values without others make a "deny", with others a "correct".
@@ -327,54 +366,6 @@ private:
   const Island* wait_ = nullptr;
   const Island* lead_in_ = nullptr;
 };
-
-// How much of each token is understood, from 0 to its weight. An island's
-// coverage is spread evenly over its tokens.
-std::vector<double> coverage(const Chain& chain, std::size_t size) {
-  std::vector<double> covered(size, 0);
-  for (const auto& link : chain.links) {
-    const auto& island = *link.island;
-    const auto length = double(island.end - island.begin);
-    for (auto at = island.begin; at < island.end; ++at)
-      covered[at] = island.covered / length;
-  }
-  return covered;
-}
-
-double bonus_of(const BuiltAct& act, const Context& context) {
-  if (act.topic == no_topic)
-    return 0;
-  const bool asked =
-      act.topic == context.asked_topic && find(act.fills, context.asked_slot);
-  return context.bonus(act.topic) + (asked ? asked_bonus : 0);
-}
-
-// An act is scored on the tokens from its begin to the begin of the next one;
-// one that a rule declares, within its clauses: "What a big house. Where do I
-// find Kelvin Ho?" asks a clear question. A mere value among much that is not
-// understood says little, whatever clause it is in.
-void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
-                const Utterance& utterance, const Context& context) {
-  const auto covered = coverage(chain, utterance.size());
-  for (std::size_t at = 0; at < acts.size(); ++at) {
-    const auto& act = acts[at];
-    std::size_t first = at == 0 ? 0 : act.begin;
-    std::size_t last =
-        at + 1 < acts.size() ? acts[at + 1].begin : utterance.size();
-    if (act.is_declared) {
-      const auto clause =
-          stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);
-      first = std::max<std::size_t>(first, clause.begin);
-      last = std::min<std::size_t>(last, clause.end);
-    }
-    const auto whole = utterance.weight_of(first, last);
-    double sum = 0;
-    for (auto token = first; token < last; ++token)
-      sum += covered[token];
-    acts[at].understood = whole > 0 ? std::min(1.0, sum / whole) : 1.0;
-    acts[at].score = acts[at].understood + bonus_of(acts[at], context);
-  }
-}
 
 } // namespace
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "adapters/nlu/forms/number_words.hpp"
+#include "adapters/nlu/parse/question_words.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -73,7 +73,7 @@ public:
   Doubts(std::vector<BuiltAct>& acts, const Chain& chain,
          const Utterance& utterance, const Context& context)
       : acts_(acts), utterance_(utterance), context_(context),
-        understood_(utterance.size(), false) {
+        question_(utterance, context), understood_(utterance.size(), false) {
     for (std::size_t at = 0; at < chain.links.size(); ++at)
       note(chain, at);
   }
@@ -84,6 +84,8 @@ public:
       std::erase_if(acts_, [](auto& act) { return is_plain(act, "confirm"); });
     if (std::erase_if(acts_, [&](auto& act) { return is_denied(act); }) > 0)
       std::erase_if(acts_, [](auto& act) { return is_plain(act, "deny"); });
+    if (any("confirm"))
+      std::erase_if(acts_, [&](auto& act) { return repeats_question(act); });
     const bool contradicts = any("confirm") && (any("deny") || any("correct"));
     const bool asks = std::ranges::any_of(acts_, [](auto& act) {
       return act.topic == no_topic && has(questions, act.act);
@@ -128,6 +130,10 @@ private:
   bool any(std::string_view name) const {
     return std::ranges::any_of(acts_,
                                [&](auto& act) { return is_plain(act, name); });
+  }
+
+  bool repeats_question(const BuiltAct& act) const {
+    return !is_answer(act) && act.act != "correct" && question_.has_all_of(act);
   }
 
   // "Did you say blue?" "Yes, blue, don't book it.": the value of the question,
@@ -201,17 +207,6 @@ private:
            has(people, word(act.end));
   }
 
-  // Whether the word says a number of the question: "eight" of "8am".
-  bool is_number_of_question(std::size_t token) const {
-    const auto number = number_at(utterance_.tokens, token);
-    return number &&
-           std::ranges::any_of(context_.confirms, [&](const auto& asked) {
-             const auto digits =
-                 std::min(asked.find_first_not_of("0123456789"), asked.size());
-             return digits_of(asked.substr(0, digits)) == number->value;
-           });
-  }
-
   // Whether words are left that nothing has understood. Fillers and the words
   // of the question do not count, but words such as "but" always do.
   // Neither do a few small words behind `yes`, the token of the yes.
@@ -221,9 +216,8 @@ private:
       if (understood_[token])
         continue;
       const bool turns = is_turning_word(word(token));
-      const bool means_nothing = utterance_.weight[token] < min_weight ||
-                                 has(context_.confirms, word(token)) ||
-                                 is_number_of_question(token);
+      const bool means_nothing =
+          utterance_.weight[token] < min_weight || question_.has(token);
       if (turns || (!means_nothing && !may_follow(token, yes)))
         return true;
       small += means_nothing ? 0U : 1U;
@@ -267,6 +261,7 @@ private:
   std::vector<BuiltAct>& acts_;
   const Utterance& utterance_;
   const Context& context_;
+  QuestionWords question_;
   // By token.
   std::vector<bool> understood_;
   // The tokens at which a "not" begins.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "adapters/nlu/parse/clause_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/text/words.hpp"
 
@@ -150,6 +151,7 @@ void leave_out_unnamed(std::vector<Island>& islands, const Utterance& utterance,
 
 void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
                        const Spans& spans, const Context& context) {
+  leave_out_half_clauses(islands, utterance, context);
   // "No, B. 2B."
   if (std::ranges::any_of(islands, &Island::is_marker))
     return;

@@ -30,7 +30,8 @@ void leave_out_unnamed(std::vector<Island>& islands, const Utterance& utterance,
 // Takes out values that are only alike, or named in part, where another
 // sentence says what is wanted: in "we left home at six. Where is the bank?",
 // nobody asks for the shop Star Home. What only sounds like a value goes
-// wherever it stands, and also where a yes or no was asked for.
+// wherever it stands, and also where a yes or no was asked for. So do generic
+// acts of which a clause has only the words (clause_filters).
 void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
                        const Spans& spans, const Context& context);
 

@@ -251,6 +251,18 @@ build_engine(const Options& options, UnderstandingModel model,
   return built;
 }
 
+std::vector<LeftOutExample>
+try_examples(const Options& options, UnderstandingModel model,
+             const ColumnReader& columns,
+             const std::string& application_folder) {
+  std::vector<Error> errors;
+  const auto platform = read_platform(options, application_folder);
+  read_examples(options, application_folder, model, errors);
+  if (!platform || !errors.empty())
+    return {};
+  return read_left_out(model, columns, *platform);
+}
+
 } // namespace nlu
 
 PluginFactory grammar_nlu_factory() {

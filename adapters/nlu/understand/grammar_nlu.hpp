@@ -13,6 +13,7 @@
 // values) tells of new ones (engine rule 1.9).
 #pragma once
 
+#include "adapters/nlu/understand/left_out.hpp"
 #include "adapters/nlu/understand/nlu_engine.hpp"
 #include "runtime/plugin/plugin.hpp"
 
@@ -36,6 +37,13 @@ tl::expected<NluEngine, std::vector<Error>>
 build_engine(const Options& options, UnderstandingModel model,
              const ColumnReader& columns,
              const std::string& application_folder);
+
+// Reads the application's examples, those of its file too, as if each were not
+// there (left_out.hpp). Empty if something is wrong, which build_engine tells.
+std::vector<LeftOutExample> try_examples(const Options& options,
+                                         UnderstandingModel model,
+                                         const ColumnReader& columns,
+                                         const std::string& application_folder);
 
 } // namespace nlu
 

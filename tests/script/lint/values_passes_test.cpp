@@ -245,20 +245,6 @@ INSTANTIATE_TEST_SUITE_P(
                "3:188 text-like-expression"}));
 
 INSTANTIATE_TEST_SUITE_P(
-    examples, LintCase,
-    testing::Values(
-        Linted{"<topic name='A'><examples><value>I want a cab!</value>"
-               "<value>i want [a cab](S)</value></examples>"
-               "<slot name='S'/></topic>\n"
-               "<topic name='B'><examples><value>i want a   cab</value>"
-               "<value>I want a cat</value></examples></topic>",
-               "4:27 same-example"},
-        Linted{"<topic name='A'><examples><value>a cab</value></examples>"
-               "</topic><topic name='B'><examples><value>a cat</value>"
-               "</examples></topic>",
-               ""}));
-
-INSTANTIATE_TEST_SUITE_P(
     computing, LintCase,
     testing::Values(
         Linted{"<function name='read'><readfile name='a' return='t'/><return "

@@ -2,6 +2,7 @@
 #include "tools/parlour/application/understanding.hpp"
 
 #include "adapters/nlu/understand/grammar_nlu.hpp"
+#include "tools/parlour/application/plugins/shipped_plugin.hpp"
 
 namespace parlour::tools {
 
@@ -12,6 +13,20 @@ build_engine(const Application& application, const ChosenComponent& component,
   return adapters::nlu::build_engine(component.options,
                                      model ? *model : UnderstandingModel{},
                                      columns, application.folder.string());
+}
+
+std::vector<adapters::nlu::LeftOutExample>
+try_examples(const Application& application) {
+  const auto& model = application.program->understanding;
+  for (const auto& component : application.composition.components)
+    if (const auto attempt =
+            shipped_plugin(component.factory.description.name).try_examples;
+        attempt && model)
+      return attempt(component.options, *model,
+                     column_reader(rehearsed(application.composition),
+                                   application.folder, ""),
+                     application.folder.string());
+  return {};
 }
 
 Map first_context(const script::Program& program, Timestamp now) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "adapters/nlu/understand/left_out.hpp"
 #include "adapters/nlu/understand/nlu_engine.hpp"
 #include "tools/parlour/application/application.hpp"
 
@@ -14,6 +15,11 @@ namespace parlour::tools {
 tl::expected<adapters::nlu::NluEngine, std::vector<Error>>
 build_engine(const Application& application, const ChosenComponent& component,
              const ColumnReader& columns);
+
+// Reads the examples of the components that learn from them, each as if it were
+// not there. For an application without errors.
+std::vector<adapters::nlu::LeftOutExample>
+try_examples(const Application& application);
 
 // The context of a first turn: the start state's grammar and the time, no
 // slots.

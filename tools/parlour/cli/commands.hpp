@@ -27,7 +27,8 @@ namespace parlour::tools {
 struct CheckOptions {
   std::string app; // a folder, an application's name, or a script
   bool json = false;
-  bool fix = false; // apply the safe corrections
+  bool fix = false;      // apply the safe corrections
+  bool examples = false; // tell, too, what could be better about the examples
 };
 int check_command(const Places& places, const CheckOptions& options,
                   const Console& console);

@@ -125,6 +125,11 @@ inline void add_check_flags(CLI::App& command, CheckOptions& options) {
                    "kind, name, message, fix}");
   command.add_flag("--fix", options.fix,
                    "Correct in the files what can safely be corrected");
+  command
+      .add_flag("--examples", options.examples,
+                "Read each example as if it were not there: which topics are "
+                "taken for each other, what to add")
+      ->excludes("--json");
 }
 
 inline void add_journal_flags(CLI::App& command, std::string_view name,

@@ -227,6 +227,22 @@ TEST(Doubt, TakesAYesBesideTheNumberOfTheQuestion) {
               testing::Not(testing::HasSubstr("confirm")));
 }
 
+// The verb of the question is part of a yes; another one is not.
+TEST(Doubt, TakesAYesInTheWordsOfTheQuestion) {
+  static const auto engine = sample();
+  const auto asked = [](const char* question, const char* text) {
+    return summary(
+        engine.understand(text, Value(Map{{"confirms", question}})).acts);
+  };
+  EXPECT_EQ(asked("Shall I cancel the call?", "yes, cancel it please"),
+            "confirm");
+  EXPECT_EQ(asked("Shall I set the call?", "yes, cancel it please"),
+            "confirm + cancel");
+  EXPECT_EQ(asked("Shall I give up the place?", "yes, give it up"), "confirm");
+  EXPECT_EQ(asked("Shall I give up the place?", "yes, give up the other one"),
+            "");
+}
+
 // A topic that takes yes and no as values.
 std::string insured(const std::string& text, const Value& context) {
   UnderstandingModel model;

@@ -212,7 +212,9 @@ const std::vector<ShippedPlugin>& all() {
        .is_installed = is_moonshine_installed},
       {.name = "SphinxASR", .without = typed},
       {.name = "WebRtcEnhancement", .without = "audio is heard as it is"},
-      {.name = "GrammarNLU", .check_understanding = check_grammars},
+      {.name = "GrammarNLU",
+       .check_understanding = check_grammars,
+       .try_examples = adapters::nlu::try_examples},
       {.name = "KeywordNLU", .check_understanding = check_keywords},
   };
   return table;

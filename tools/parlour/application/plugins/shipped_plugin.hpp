@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "adapters/nlu/understand/left_out.hpp"
 #include "runtime/message/understanding.hpp"
 #include "runtime/plugin/plugin.hpp"
 
@@ -46,6 +47,11 @@ struct ShippedPlugin {
   std::vector<Error> (*check_understanding)(
       const Options& options, const std::filesystem::path& application,
       const UnderstandingModel& model, const ColumnReader& columns) = nullptr;
+
+  // Reads the application's examples as if each were not there.
+  std::vector<adapters::nlu::LeftOutExample> (*try_examples)(
+      const Options& options, UnderstandingModel model,
+      const ColumnReader& columns, const std::string& application) = nullptr;
 
   // Of a database: reads its columns, without the component.
   ColumnReader (*columns)(const Options& options,

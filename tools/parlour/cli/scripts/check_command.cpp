@@ -6,9 +6,11 @@
 #include "script/lint/lint.hpp"
 #include "tools/parlour/application/application.hpp"
 #include "tools/parlour/application/fix.hpp"
+#include "tools/parlour/application/understanding.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/console/finding_text.hpp"
+#include "tools/parlour/understand/example_report.hpp"
 
 namespace parlour::tools {
 
@@ -53,6 +55,19 @@ Findings findings_of(const Places& places, const Target& target,
   return compiled.findings.all();
 }
 
+// What could be better about the examples of an application without errors.
+void say_examples(const Places& places, const Target& target,
+                  const Console& console) {
+  const auto application = load_application(
+      target.path, find_platform(places, target.path), Scrutiny::compile,
+      std::make_shared<Catalogue>(plugin_folders(places, target.path)));
+  const auto lines = example_report(try_examples(application));
+  for (const auto& line : lines)
+    console.out << line << '\n';
+  if (lines.empty())
+    console.out << "There are no examples that can be tried.\n";
+}
+
 // Prints each correction, and whether safe ones were left out because they
 // would lead to more findings.
 void say_fixed(const Places& places, const Corrected& corrected,
@@ -90,6 +105,11 @@ int check_command(const Places& places, const CheckOptions& options,
     say_error(console, target.error().message);
     return exit_code::usage;
   }
+  if (options.examples && target->is_file) {
+    say_error(console, "--examples reads those of an application, and '" +
+                           options.app + "' is one file of it");
+    return exit_code::usage;
+  }
   // Print the findings that remain after --fix. Warnings do not change the exit
   // status.
   auto findings = findings_of(places, *target, {});
@@ -103,6 +123,8 @@ int check_command(const Places& places, const CheckOptions& options,
   else
     print_lines(console.out, findings, places);
   const auto counted = count(findings);
+  if (options.examples && counted.errors == 0)
+    say_examples(places, *target, console);
   console.err << options.app << ": " << to_string(counted) << std::endl;
   return counted.errors > 0 ? exit_code::wrong : exit_code::success;
 }

@@ -73,6 +73,22 @@ TEST_F(CommandTest, check_prints_json) {
   EXPECT_EQ(out_.str(), "[]\n");
 }
 
+TEST_F(CommandTest, check_tells_what_could_be_better_about_examples) {
+  EXPECT_EQ(call({"check", "bicycles", "--examples"}), exit_code::success);
+  EXPECT_THAT(out_.str(), HasSubstr(" would be understood, "));
+  EXPECT_THAT(err_.str(), HasSubstr("bicycles: 0 errors"));
+  EXPECT_EQ(call({"check", "greeter", "--examples"}), exit_code::success);
+  EXPECT_EQ(out_.str(), "There are no examples that can be tried.\n");
+  // Errors come first, and one file has no examples of its own.
+  EXPECT_EQ(call({"check", "bad-sql", "--examples"}), exit_code::wrong);
+  EXPECT_THAT(out_.str(), testing::Not(HasSubstr("examples")));
+  EXPECT_EQ(call({"check", "broken/broken.xml", "--examples"}),
+            exit_code::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("is one file of it"));
+  EXPECT_EQ(call({"check", "greeter", "--examples", "--json"}),
+            exit_code::usage);
+}
+
 TEST_F(CommandTest, check_takes_one_file) {
   EXPECT_EQ(call({"check", "broken/broken.xml"}), exit_code::wrong);
   EXPECT_EQ(err_.str(), "broken/broken.xml: 3 errors, 0 warnings\n");

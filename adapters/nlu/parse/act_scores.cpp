@@ -1,0 +1,78 @@
+#include "adapters/nlu/parse/act_scores.hpp"
+
+#include <algorithm>
+
+#include "adapters/nlu/parse/question_words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// How much of each token is understood, from 0 to its weight. An island's
+// coverage is spread evenly over its tokens.
+std::vector<double> coverage(const Chain& chain, std::size_t size) {
+  std::vector<double> covered(size, 0);
+  for (const auto& link : chain.links) {
+    const auto& island = *link.island;
+    const auto length = double(island.end - island.begin);
+    for (auto at = island.begin; at < island.end; ++at)
+      covered[at] = island.covered / length;
+  }
+  return covered;
+}
+
+double bonus_of(const BuiltAct& act, const Context& context) {
+  if (act.topic == no_topic)
+    return 0;
+  const bool asked = act.topic == context.asked_topic &&
+                     std::ranges::find(act.fills, context.asked_slot,
+                                       &Fill::slot) != act.fills.end();
+  return context.bonus(act.topic) + (asked ? asked_bonus : 0);
+}
+
+// What a yes says in words of the question: "yes, give it up".
+double repeated(const BuiltAct& act, const std::vector<double>& covered,
+                const Utterance& utterance, const Context& context,
+                TokenRange range) {
+  if (act.topic != no_topic || act.act != "confirm")
+    return 0;
+  const QuestionWords question(utterance, context);
+  double sum = 0;
+  for (auto token = range.begin; token < range.end; ++token)
+    if (covered[token] == 0 && question.has(token))
+      sum += utterance.weight[token];
+  return sum;
+}
+
+} // namespace
+
+// An act is scored on the tokens from its begin to the begin of the next one;
+// one that a rule declares, within its clauses: "What a big house. Where do I
+// find Kelvin Ho?" asks a clear question. A mere value among much that is not
+// understood says little, whatever clause it is in.
+void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
+                const Utterance& utterance, const Context& context) {
+  const auto covered = coverage(chain, utterance.size());
+  for (std::size_t at = 0; at < acts.size(); ++at) {
+    const auto& act = acts[at];
+    std::size_t first = at == 0 ? 0 : act.begin;
+    std::size_t last =
+        at + 1 < acts.size() ? acts[at + 1].begin : utterance.size();
+    if (act.is_declared) {
+      const auto clause =
+          stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);
+      first = std::max<std::size_t>(first, clause.begin);
+      last = std::min<std::size_t>(last, clause.end);
+    }
+    const auto whole = utterance.weight_of(first, last);
+    auto sum = repeated(
+        act, covered, utterance, context,
+        {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)});
+    for (auto token = first; token < last; ++token)
+      sum += covered[token];
+    acts[at].understood = whole > 0 ? std::min(1.0, sum / whole) : 1.0;
+    acts[at].score = acts[at].understood + bonus_of(acts[at], context);
+  }
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,127 @@
+#include "adapters/nlu/parse/clause_filters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "adapters/nlu/parse/question_words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+template <class All>
+bool has(const All& all, std::string_view word) {
+  return std::ranges::find(all, word) != all.end();
+}
+
+class Clauses {
+public:
+  Clauses(const std::vector<Island>& islands, const Utterance& utterance,
+          const Context& context)
+      : islands_(islands), utterance_(utterance),
+        question_(utterance, context) {}
+
+  // Whoever asks where something stops wants nothing to stop.
+  bool is_stop_of_question(const Island& island) const {
+    if (!is_generic(island, "cancel") || word(island.begin) != "stop")
+      return false;
+    const auto clause = clause_of(island);
+    auto first = clause.begin;
+    while (first < island.begin && leads_in(first))
+      ++first;
+    return first < island.begin && asks(word(first));
+  }
+
+  // "No, wait, it is the eye clinic" says no yes. Without a no before it, "it
+  // is Sunday" stays one: beside a no of another sentence, neither counts.
+  bool is_half_a_yes(const Island& island) const {
+    if (!is_generic(island, "confirm") || !is_short_sentence(island) ||
+        (word(island.begin) == "it" && !follows_marker(island)))
+      return false;
+    const auto clause = clause_of(island);
+    for (auto token = clause.begin; token < clause.end; ++token)
+      if (utterance_.weight[token] >= full_weight &&
+          !is_within(island, token) && !question_.has(token) &&
+          !is_said_apart(island, token))
+        return true;
+    return false;
+  }
+
+private:
+  static bool is_generic(const Island& island, std::string_view act) {
+    return island.rule->generic && !island.is_content() && island.act == act;
+  }
+  static bool is_within(const Island& island, std::uint32_t token) {
+    return island.begin <= token && token < island.end;
+  }
+
+  const std::string& word(std::uint32_t token) const {
+    return utterance_.tokens.list[token].word;
+  }
+
+  TokenRange clause_of(const Island& island) const {
+    return stretch_of(utterance_.tokens, {island.begin, island.end},
+                      Break::comma);
+  }
+
+  bool leads_in(std::uint32_t token) const {
+    static constexpr std::array<std::string_view, 4> words{"and", "but", "so",
+                                                           "then"};
+    return utterance_.filler[token] || has(words, word(token));
+  }
+
+  static bool asks(std::string_view word) {
+    static constexpr std::array<std::string_view, 8> words{
+        "where", "when", "what", "which", "who", "whom", "why", "how"};
+    return has(words, word);
+  }
+
+  bool is_short_sentence(const Island& island) const {
+    static constexpr std::array<std::string_view, 6> sentences{
+        "it is", "i do", "you can", "you may", "do it", "do that"};
+    std::string said;
+    for (auto token = island.begin; token < island.end; ++token)
+      if (!utterance_.filler[token])
+        said += (said.empty() ? "" : " ") + word(token);
+    return has(sentences, said);
+  }
+
+  // "no, it is …", "no, wait, it is …"
+  bool follows_marker(const Island& island) const {
+    return std::ranges::any_of(islands_, [&](const Island& other) {
+      return other.end == island.begin &&
+             (other.is_marker() ||
+              (is_generic(other, "wait") && follows_marker(other)));
+    });
+  }
+
+  // "it is, thank you": another act about the conversation has the word.
+  bool is_said_apart(const Island& island, std::uint32_t token) const {
+    return std::ranges::any_of(islands_, [&](const Island& other) {
+      return other.rule->generic && !other.is_content() && !other.act.empty() &&
+             is_within(other, token) &&
+             (other.end <= island.begin || island.end <= other.begin);
+    });
+  }
+
+  const std::vector<Island>& islands_;
+  const Utterance& utterance_;
+  QuestionWords question_;
+};
+
+} // namespace
+
+void leave_out_half_clauses(std::vector<Island>& islands,
+                            const Utterance& utterance,
+                            const Context& context) {
+  const Clauses clauses(islands, utterance, context);
+  // All are judged before one is removed.
+  std::vector<Island> kept;
+  for (const auto& island : islands)
+    if (!clauses.is_stop_of_question(island) && !clauses.is_half_a_yes(island))
+      kept.push_back(island);
+  islands = std::move(kept);
+}
+
+} // namespace parlour::adapters::nlu

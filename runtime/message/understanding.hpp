@@ -102,8 +102,9 @@ inline constexpr const char* unmatched = "unmatched";
 } // namespace act_key
 
 // The session's context, the second parameter of DoNLU, is a map: asked
-// ({topic, slot} or unknown), said (its slots that were given before, the
-// latest last), current and resting topic, unfinished (a list of topics),
+// ({topic, slot} or unknown), waiting (the same, of the topic that an aside has
+// suspended, where nothing is asked), said (its slots that were given before,
+// the latest last), current and resting topic, unfinished (a list of topics),
 // completed (the task that was completed last), choices (a list: what is
 // offered), confirms (the words of the yes-or-no question that was asked),
 // grammar (or unknown), heard (a list of texts: what else a recogniser may have

@@ -24,10 +24,13 @@ std::vector<double> coverage(const Chain& chain, std::size_t size) {
 double bonus_of(const BuiltAct& act, const Context& context) {
   if (act.topic == no_topic)
     return 0;
-  const bool asked = act.topic == context.asked_topic &&
-                     std::ranges::find(act.fills, context.asked_slot,
-                                       &Fill::slot) != act.fills.end();
-  return context.bonus(act.topic) + (asked ? asked_bonus : 0);
+  const auto fills = [&](std::string_view slot) {
+    return std::ranges::find(act.fills, slot, &Fill::slot) != act.fills.end();
+  };
+  const bool asked =
+      act.topic == context.asked_topic && fills(context.asked_slot);
+  return context.bonus(act.topic) + (asked ? asked_bonus : 0) +
+         context.waiting_bonus(act.topic, fills(context.waiting_slot));
 }
 
 // What a yes says in words of the question: "yes, give it up".

@@ -124,6 +124,8 @@ private:
     if (topic == context_.asked_topic && island.find(context_.asked_slot) &&
         !changes)
       bonus += asked_bonus;
+    bonus += context_.waiting_bonus(
+        topic, !changes && island.find(context_.waiting_slot) != nullptr);
     return bonus;
   }
 

@@ -26,18 +26,18 @@ public:
   bool is_stop_of_question(const Island& island) const {
     if (!is_generic(island, "cancel") || word(island.begin) != "stop")
       return false;
-    const auto clause = clause_of(island);
-    auto first = clause.begin;
-    while (first < island.begin && leads_in(first))
-      ++first;
+    const auto first = first_of_clause(island);
     return first < island.begin && asks(word(first));
   }
 
-  // "No, wait, it is the eye clinic" says no yes. Without a no before it, "it
-  // is Sunday" stays one: beside a no of another sentence, neither counts.
+  // "No, wait, it is the eye clinic" says no yes, and "you can ring him" none.
+  // Without a no before it, "it is Sunday" stays one: beside a no of another
+  // sentence, neither counts.
   bool is_half_a_yes(const Island& island) const {
-    if (!is_generic(island, "confirm") || !is_short_sentence(island) ||
-        (word(island.begin) == "it" && !follows_marker(island)))
+    if (!is_generic(island, "confirm") || !is_short_sentence(island))
+      return false;
+    const bool begins = first_of_clause(island) == island.begin;
+    if (!follows_marker(island) && (!begins || word(island.begin) == "it"))
       return false;
     const auto clause = clause_of(island);
     for (auto token = clause.begin; token < clause.end; ++token)
@@ -65,9 +65,17 @@ private:
                       Break::comma);
   }
 
+  // Behind the words that lead in.
+  std::uint32_t first_of_clause(const Island& island) const {
+    auto first = clause_of(island).begin;
+    while (first < island.begin && leads_in(first))
+      ++first;
+    return first;
+  }
+
   bool leads_in(std::uint32_t token) const {
-    static constexpr std::array<std::string_view, 4> words{"and", "but", "so",
-                                                           "then"};
+    static constexpr std::array<std::string_view, 5> words{"and", "but", "so",
+                                                           "then", "now"};
     return utterance_.filler[token] || has(words, word(token));
   }
 

@@ -55,6 +55,12 @@ double Context::bonus(TopicNumber topic) const {
   return waits ? 0.1 : 0;
 }
 
+double Context::waiting_bonus(TopicNumber topic, bool fills_it) const {
+  return topic != no_topic && topic == waiting_topic && fills_it
+             ? nlu::asked_bonus / 2
+             : 0;
+}
+
 bool Context::goes_on(TopicNumber topic) const {
   return topic == asked_topic || topic == current ||
          std::ranges::find(unfinished, topic) != unfinished.end();
@@ -63,6 +69,11 @@ bool Context::goes_on(TopicNumber topic) const {
 Context read_context(const Value& context, const Schema& schema) {
   Context read;
   read_asked(context["asked"], schema, read);
+  if (read.asked_topic == no_topic) {
+    read_asked(context["waiting"], schema, read);
+    read.waiting_topic = std::exchange(read.asked_topic, no_topic);
+    read.waiting_slot = std::exchange(read.asked_slot, {});
+  }
   read_said(context["said"], schema, read);
   read.current = schema.topic(context["current"].text());
   read.resting = schema.topic(context["resting"].text());

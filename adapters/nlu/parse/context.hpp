@@ -9,12 +9,18 @@
 
 namespace parlour::adapters::nlu {
 
+// What an act gets that fills the slot which was asked for.
+inline constexpr double asked_bonus = 0.3;
+
 struct Context {
   TopicNumber asked_topic = no_topic;
   // The slot that the last question asks for; empty: none.
   std::string asked_slot;
   // Its kind of value; asked_entity if there is no question.
   EntityId asked_entity_id = asked_entity;
+  // What was asked before something else came between, where nothing is asked.
+  TopicNumber waiting_topic = no_topic;
+  std::string waiting_slot;
   // The slots of that topic that were filled before, the latest last.
   std::vector<Schema::Slot> said;
   TopicNumber current = no_topic;
@@ -33,12 +39,14 @@ struct Context {
   // "Score"): 0.2 for the current topic, 0.1 for a resting or unfinished one,
   // or the one that was completed last.
   double bonus(TopicNumber topic) const;
+  double asked_bonus() const {
+    return nlu::asked_bonus;
+  }
+  // Half of asked_bonus, for the slot whose question waits.
+  double waiting_bonus(TopicNumber topic, bool fills_it) const;
   // Whether the conversation is at it: it is asked for, current or unfinished.
   bool goes_on(TopicNumber topic) const;
 };
-
-// What an act gets that fills the slot which was asked for.
-inline constexpr double asked_bonus = 0.3;
 
 // Names that the schema does not have are ignored.
 Context read_context(const Value& context, const Schema& schema);

@@ -272,8 +272,10 @@ private:
 
 void prefer_answers(std::vector<Island>& islands, const Context& context) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> answers;
+  // "Yeah, hi, Ravi Iyer, he's with IT": a yes that passes over more words than
+  // it has does not say what they mean.
   for (const auto& island : islands)
-    if (is_answer(island))
+    if (is_answer(island) && island.score >= 0)
       answers.emplace_back(island.begin, island.end);
   std::erase_if(islands, [&](const Island& island) {
     return island.is_content() && !may_be_yes(island, context) &&
@@ -283,7 +285,35 @@ void prefer_answers(std::vector<Island>& islands, const Context& context) {
   });
 }
 
+namespace {
+
+// An answer with words before the value, "my name is …", that a rule of the
+// application takes for another slot of the same topic.
+bool says_otherwise(const Island& own, const Island& answer) {
+  if (own.rule->generic || own.rule->bare || own.begin > answer.begin ||
+      own.end < answer.end ||
+      std::ranges::find_first_of(own.topics, answer.topics) == own.topics.end())
+    return false;
+  return std::ranges::all_of(answer.fills, [&](const Fill& asked) {
+    return asked.begin > answer.begin && !own.find(asked.slot) &&
+           std::ranges::any_of(own.fills, [&](const Fill& fill) {
+             return fill.begin < asked.end && asked.begin < fill.end;
+           });
+  });
+}
+
+} // namespace
+
 void prefer_application(std::vector<Island>& islands) {
+  // All are judged before one is removed.
+  std::vector<Island> kept;
+  for (const auto& island : islands)
+    if (!island.rule->generic || !island.asked || island.fills.empty() ||
+        std::ranges::none_of(islands, [&](const Island& own) {
+          return says_otherwise(own, island);
+        }))
+      kept.push_back(island);
+  islands = std::move(kept);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> own;
   for (const auto& island : islands)
     if (!island.rule->generic && !island.rule->bare)

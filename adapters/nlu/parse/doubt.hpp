@@ -19,7 +19,8 @@ void prefer_answers(std::vector<Island>& islands, const Context& context);
 
 // What an application means by words goes before what they mean anywhere:
 // removes generic acts, other than yes and no, for the words of a rule of the
-// application.
+// application, and answers to what was asked that such a rule takes for another
+// slot of the topic: "my name is …", where the host is asked for.
 void prefer_application(std::vector<Island>& islands);
 
 // Removes answers that are in doubt, and acts that are negated ("do not cancel

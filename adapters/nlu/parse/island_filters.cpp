@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "adapters/nlu/forms/calendar.hpp"
 #include "adapters/nlu/parse/clause_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/text/words.hpp"
@@ -32,6 +33,14 @@ bool is_certain(const Span& span) {
 
 bool is_guess(const Span& span) {
   return !span.unmatched && span.confidence < guessed;
+}
+
+// In a sentence before that of the other.
+bool is_told_before(const Island& island, const Island& other,
+                    const Utterance& utterance) {
+  const auto sentence =
+      stretch_of(utterance.tokens, {island.begin, island.end}, Break::sentence);
+  return sentence.end <= other.begin;
 }
 
 } // namespace
@@ -91,9 +100,14 @@ void leave_out_strangers(std::vector<Island>& islands,
            std::ranges::find_first_of(island.topics, other.topics) ==
                island.topics.end();
   };
+  // A sentence that says what is wanted, in whatever words.
+  const auto says_what = [&](const Island& island) {
+    return !island.rule->bare && island.is_content() && !island.act.empty() &&
+           std::ranges::none_of(island.fills, is_stranger);
+  };
   std::vector<const Island*> better;
   for (const auto& island : islands)
-    if (is_better(island))
+    if (is_better(island) || says_what(island))
       better.push_back(&island);
   std::vector<Island> kept;
   for (const auto& island : islands) {
@@ -102,7 +116,10 @@ void leave_out_strangers(std::vector<Island>& islands,
     const bool nameless =
         strange && std::ranges::none_of(island.fills, is_named);
     if (!strange || std::ranges::none_of(better, [&](const Island* other) {
-          return (island.act.empty() && is_apart(island, *other)) ||
+          return (nameless && says_what(*other) &&
+                  is_told_before(island, *other, utterance)) ||
+                 (is_better(*other) && island.act.empty() &&
+                  is_apart(island, *other)) ||
                  (nameless && !is_apart(island, *other) &&
                   is_foreign(island, *other));
         }))
@@ -181,15 +198,28 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
     return fits(fill, spans, is_guess);
   };
   const bool asks_for_yes = !context.confirms.empty();
+  const auto today = day_of(context.now);
+  const auto is_past = [&](const Fill& fill) {
+    return today && fill.span &&
+           spans[*fill.span].entity == static_cast<EntityId>(Form::date) &&
+           spans[*fill.span].value.text() < date_text(*today);
+  };
+  const auto is_another = [](const Island& island, TokenRange sentence) {
+    return island.end <= sentence.begin || sentence.end <= island.begin;
+  };
   std::erase_if(islands, [&](const Island& island) {
+    if (island.act.empty() && !island.fills.empty() && !is_expected(island) &&
+        std::ranges::all_of(island.fills, is_past))
+      return std::ranges::any_of(wanted, [&](TokenRange sentence) {
+        return is_another(island, sentence);
+      });
     if (!island.rule->bare || island.fills.empty() || is_expected(island) ||
         !std::ranges::all_of(island.fills, is_alike))
       return false;
     const bool guess = std::ranges::all_of(island.fills, is_guessed);
     return (guess && asks_for_yes) ||
            std::ranges::any_of(wanted, [&](TokenRange sentence) {
-             return guess || island.end <= sentence.begin ||
-                    sentence.end <= island.begin;
+             return guess || is_another(island, sentence);
            });
   });
 }

@@ -18,7 +18,9 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
 // Takes out what only names something unknown, without saying what is wanted of
 // it, where another clause names what is known: in "to the study, it's on the
 // way", nobody asks for a way. Nor for a person in "where can I have a drink
-// with clients": what is written as no name is, beside another topic's rule.
+// with clients": what is written as no name is, beside another topic's rule or
+// before the sentence that says what is wanted ("my head is splitting. Where
+// …").
 void leave_out_strangers(std::vector<Island>& islands,
                          const Utterance& utterance, const Spans& spans);
 
@@ -30,7 +32,8 @@ void leave_out_unnamed(std::vector<Island>& islands, const Utterance& utterance,
 // Takes out values that are only alike, or named in part, where another
 // sentence says what is wanted: in "we left home at six. Where is the bank?",
 // nobody asks for the shop Star Home. What only sounds like a value goes
-// wherever it stands, and also where a yes or no was asked for. So do generic
+// wherever it stands, a day that is over where it is in another sentence ("he
+// rang me yesterday"), and also where a yes or no was asked for. So do generic
 // acts of which a clause has only the words (clause_filters).
 void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
                        const Spans& spans, const Context& context);

@@ -80,7 +80,10 @@ private:
       return;
     case TagKind::asked:
       island_.asked = true;
-      fill(context_.asked_slot, context_.asked_topic, tag, opened, end);
+      if (context_.waiting_topic != no_topic)
+        fill(context_.waiting_slot, context_.waiting_topic, tag, opened, end);
+      else
+        fill(context_.asked_slot, context_.asked_topic, tag, opened, end);
       return;
     case TagKind::slot:
       fill(tag.name, tag.topic, tag, opened, end);

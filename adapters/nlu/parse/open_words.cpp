@@ -118,7 +118,55 @@ public:
                  utterance_.text[token_at(utterance_, fill.begin).begin])));
   }
 
+  // "Hi, Ravi Iyer" gives a name that another slot of the topic has in its
+  // list, and no rule says whose; "like this afternoon" is no place
+  // "afternoon".
+  bool belong_elsewhere(const Island& island, const Fill& fill) const {
+    return is_part_of_form(fill) ||
+           (says_nothing_else(island, fill) &&
+            std::ranges::any_of(islands_, [&](const Island& other) {
+              return is_value_of_list(other, fill) &&
+                     std::ranges::find_first_of(other.topics, island.topics) !=
+                         other.topics.end();
+            }));
+  }
+
 private:
+  bool is_part_of_form(const Fill& fill) const {
+    return std::ranges::any_of(spans_.all(), [&](const Span& span) {
+      return is_form(span.entity) && !span.weak && !span.unmatched &&
+             span.core <= fill.begin && fill.end <= span.end &&
+             fill.end - fill.begin < span.end - span.core;
+    });
+  }
+
+  // Whether the island's other words are courtesies.
+  bool says_nothing_else(const Island& island, const Fill& fill) const {
+    if (island.asked || island.begin == fill.begin)
+      return false;
+    for (auto token = island.begin; token < island.end; ++token)
+      if ((token < fill.begin || token >= fill.end) &&
+          std::ranges::none_of(islands_, [&](const Island& other) {
+            return other.act == "greet" && !other.is_content() &&
+                   other.begin <= token && token < other.end;
+          }))
+        return false;
+    return true;
+  }
+
+  // The whole of a known value, as it is.
+  bool is_value_of_list(const Island& other, const Fill& fill) const {
+    return other.rule->bare &&
+           std::ranges::any_of(other.fills, [&](const Fill& known) {
+             return known.slot != fill.slot && known.begin == fill.begin &&
+                    known.end == fill.end && known.span &&
+                    is_set(spans_[*known.span].entity) &&
+                    !spans_[*known.span].unmatched &&
+                    spans_[*known.span].values.size() == 1 &&
+                    spans_[*known.span].confidence >= 1;
+           });
+  }
+
   // "the card", "my phone": the determiner may stand before the value.
   bool is_determined(const Island& answer, const Fill& fill) const {
     return is_determiner(token_at(utterance_, fill.begin).word) ||
@@ -221,6 +269,7 @@ void drop_implausible(std::vector<Island>& islands, const Utterance& utterance,
     return std::ranges::any_of(island.fills, [&](const Fill& fill) {
       return is_open(fill, spans) &&
              (surroundings.speak_against(island, fill) ||
+              surroundings.belong_elsewhere(island, fill) ||
               certainty_of_words(utterance, {{fill.begin, fill.end},
                                              {island.begin, island.end},
                                              island.asked}) < in_doubt);

@@ -85,6 +85,18 @@ const std::string* Whereabouts::yes_or_no_asked() const {
   return confirm ? &confirm->question : nullptr;
 }
 
+// The topic whose question something else came between; no_id: there is none,
+// or something is asked now.
+TopicId Whereabouts::waiting_topic(const ClassifierContext& context) const {
+  if (question_ || yes_or_no_asked() || context.unfinished.empty())
+    return script::no_id;
+  const auto topic = context.unfinished.front();
+  const auto slot = question_.slot_asked_for(topic);
+  return slot != script::no_id && frames_[topic].slots[slot].asked > 0
+             ? topic
+             : script::no_id;
+}
+
 Value Whereabouts::understanding_context() const {
   const auto context = classifier_context();
   auto name = [&](TopicId topic) {
@@ -101,6 +113,12 @@ Value Whereabouts::understanding_context() const {
       result.set("choices", offered);
     if (said_.topic == context.asked)
       result.set("said", names_said_before(context.asked_slot));
+  }
+  if (const auto topic = waiting_topic(context); topic != script::no_id) {
+    const auto slot = question_.slot_asked_for(topic);
+    result.set("waiting",
+               Map{{"topic", name(topic)},
+                   {"slot", context_.topic(topic).slots[slot].name}});
   }
   result.set("current", name(context.current));
   result.set("resting", name(context.resting));

@@ -30,8 +30,8 @@ public:
   // about, as things stand; or no_id.
   TopicId topic_of(const Act& act) const;
   // The context of DoNLU (runtime/message/understanding.hpp), a map: what is
-  // asked, choices between candidates, topics by their status, the grammar to
-  // try, the words of a question of yes or no, the time.
+  // asked, or was before an aside, choices between candidates, topics by their
+  // status, the grammar to try, the words of a question of yes or no, the time.
   Value understanding_context() const;
   // The only grammar that is tried now (language rule 12.18); empty: all.
   const std::string& narrowing_grammar() const {
@@ -65,6 +65,7 @@ private:
   List names_said_before(SlotId asked) const;
   const std::string& narrowing_grammar(const ClassifierContext& context) const;
   const std::string* yes_or_no_asked() const;
+  TopicId waiting_topic(const ClassifierContext& context) const;
 
   DialogueContext& context_;
   TopicFrames& frames_;

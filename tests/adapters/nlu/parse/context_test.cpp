@@ -36,6 +36,21 @@ TEST_F(ContextTest, IsReadByNames) {
   EXPECT_EQ(context.now, sample_now());
 }
 
+// What was asked before an aside counts half, and only where nothing is asked.
+TEST_F(ContextTest, KeepsTheQuestionThatWaits) {
+  const Map waiting{{"topic", "Appointment"}, {"slot", "Visitor"}};
+  const auto after = read({{"waiting", waiting}});
+  EXPECT_EQ(after.asked_topic, no_topic);
+  EXPECT_EQ(after.waiting_slot, "Visitor");
+  EXPECT_EQ(after.waiting_bonus(0, true), asked_bonus / 2);
+  EXPECT_EQ(after.waiting_bonus(0, false), 0);
+  EXPECT_EQ(after.waiting_bonus(2, true), 0);
+  const auto asked = read({{"asked", Map{{"topic", "Taxi"}, {"slot", "Time"}}},
+                           {"waiting", waiting}});
+  EXPECT_EQ(asked.waiting_topic, no_topic);
+  EXPECT_EQ(asked.asked_slot, "Time");
+}
+
 TEST_F(ContextTest, LeavesOutWhatIsNotThere) {
   const Map strange[] = {
       {},

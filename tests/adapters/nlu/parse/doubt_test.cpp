@@ -181,6 +181,21 @@ TEST(Doubt, LetsAQuestionGoBeforeAYes) {
             "request Facility Category=bank");
 }
 
+// Whoever says his name gives no host, though the host is asked for.
+TEST(Doubt, LetsARuleOfTheApplicationGoBeforeAnAnswer) {
+  EXPECT_THAT(understood({"Appointment.Host", "my name is Anand Menon", ""}),
+              testing::HasSubstr("Visitor=Anand Menon"));
+  EXPECT_THAT(understood({"Appointment.Host", "Anand Menon", ""}),
+              testing::HasSubstr("Host=Anand Menon"));
+  EXPECT_THAT(understood({"Appointment.Host", "it is Anand Menon", ""}),
+              testing::HasSubstr("Host=Anand Menon"));
+}
+
+TEST(Doubt, LetsNoYesPassOverAName) {
+  EXPECT_THAT(understood({"", "Yeah, hi. Anand Menon? He's with IT.", ""}),
+              testing::HasSubstr("Host=Anand Menon"));
+}
+
 // What is not to be done is not done, whatever the order is.
 TEST(Doubt, CarriesOutNoOrderThatIsTurnedRound) {
   for (const auto* text :

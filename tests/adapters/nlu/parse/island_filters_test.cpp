@@ -53,6 +53,44 @@ TEST(IslandFilters, LeaveOutStrangersOfAnotherTopic) {
   EXPECT_EQ(kept("I come with clients"), Lines{"clients"});
 }
 
+TEST(IslandFilters, LeaveOutStrangersBesideASentenceOfAnyWords) {
+  const auto kept = [](const char* text) {
+    Stages stages(R"(
+      public <buy> = where is the @words {Category} {act=request} {topic=Facility};
+      public <meet> = my head is @db:staff.name {Host} {act=inform} {topic=Appointment};)",
+                  text);
+    auto islands = stages.islands;
+    leave_out_strangers(islands, stages.utterance, stages.spans);
+    return std::ranges::count_if(islands, [](const Island& island) {
+      const auto* host = island.find("Host");
+      return host && host->begin == 3;
+    });
+  };
+  EXPECT_EQ(kept("My head is splitting. Where is the chemist"), 0);
+  EXPECT_EQ(kept("My head is Splitting. Where is the chemist"), 1);
+  EXPECT_EQ(kept("My head is Anand Menon. Where is the chemist"), 1);
+  EXPECT_EQ(kept("My head is splitting"), 1);
+}
+
+// Who rang yesterday comes on another day.
+TEST(IslandFilters, LeaveOutDaysThatAreOver) {
+  const auto kept = [](const char* text, const std::string& asked) {
+    Stages stages(R"(
+      public <meet> = with @db:staff.name {Host} {act=inform} {topic=Appointment};
+      public <when> = @date {Date} {topic=Appointment};)",
+                  text, sample_context(asked));
+    auto islands = stages.islands;
+    leave_out_stories(islands, stages.utterance, stages.spans, stages.context);
+    return std::ranges::count_if(
+        islands, [](const Island& island) { return island.find("Date"); });
+  };
+  EXPECT_EQ(kept("With Anand Menon. He rang me yesterday.", ""), 0);
+  EXPECT_EQ(kept("With Anand Menon. He waits tomorrow.", ""), 1);
+  EXPECT_EQ(kept("With Anand Menon yesterday.", ""), 1);
+  EXPECT_EQ(kept("With Anand Menon. He rang yesterday.", "Appointment"), 1);
+  EXPECT_EQ(kept("Yesterday.", ""), 1);
+}
+
 // "stop" by itself is an act, and one behind what a rule reads is, too.
 TEST(IslandFilters, LeaveOutActsThatArePartsOfWhatIsAsked) {
   const auto acts = [](const char* text) {

@@ -89,5 +89,39 @@ TEST(OpenWords, LettersAreAWord) {
   EXPECT_THAT(visitors("that is T H I J S"), testing::Contains("T H I J S"));
 }
 
+// How many islands give words for the visitor.
+std::ptrdiff_t visitors_to_the_end(const std::string& said) {
+  const Stages stages(R"(
+    public <greet> = (hi | hello) {act=greet};
+    public <hi> = (hi | hello | i am) @words {Visitor} {topic=Appointment};
+    public <host> = @db:staff.name {Host} {topic=Appointment};
+    public <when> = @date {Date} {topic=Appointment};
+    public <like> = like (this | that) @words {Visitor} {topic=Appointment};)",
+                      said, sample_context(""));
+  auto islands = stages.islands;
+  // As the engine's rule for a slot's values is.
+  RuleInfo bare;
+  bare.bare = true;
+  for (auto& island : islands)
+    if (island.find("Host"))
+      island.rule = &bare;
+  drop_implausible(islands, stages.utterance, stages.spans);
+  return std::ranges::count_if(islands, [&](const Island& island) {
+    const auto* fill = island.find("Visitor");
+    return fill && fill->end == stages.utterance.size();
+  });
+}
+
+TEST(OpenWords, AreNoNameOfAListBehindAGreeting) {
+  EXPECT_EQ(visitors_to_the_end("hi, Anand Menon"), 0);
+  EXPECT_EQ(visitors_to_the_end("hi, Anand Okafor"), 1);
+  EXPECT_EQ(visitors_to_the_end("I am Anand Menon"), 1); // who it is, is said
+}
+
+TEST(OpenWords, AreNoPartOfADate) {
+  EXPECT_EQ(visitors_to_the_end("like this afternoon"), 0);
+  EXPECT_EQ(visitors_to_the_end("like this okafor"), 1);
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

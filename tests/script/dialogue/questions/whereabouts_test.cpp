@@ -14,6 +14,9 @@ constexpr const char* table = R"xml(
       <cardinality type="number"/></slot>
     <slot name="Name" type="Functional" question="Who?" confirm="never"/>
   </topic>
+  <facts name="Day"><fact day="Monday" hours="9 to 5"/></facts>
+  <topic name="Hours" kind="enquiry"><slot name="Day" type="Functional"/>
+    <query source="facts:Day"><by slot="Day" column="day"/></query></topic>
   <handler name="Probe"><messages><component><Bell>
     <Rings><post module="NLU" command="DoNLU" param="{'hello'}"/></Rings>
   </Bell></component></messages></handler>)xml";
@@ -53,6 +56,16 @@ TEST_F(UnderstandingContext, HasNothingBesideAnAnswerToTheQuestion) {
   world.say(inform("Table", {{"Chairs", "many"}}));
   EXPECT_EQ(context()["asked"]["slot"], "Chairs");
   EXPECT_EQ(context()["said"], List{});
+}
+
+// An enquiry in between: the question of the task waits.
+TEST_F(UnderstandingContext, HasTheQuestionThatWaits) {
+  world.say(inform("Table", {{"Guests", 2}}));
+  EXPECT_TRUE(context()["waiting"].is_unknown());
+  world.say(inform("Hours", {{"Day", "Monday"}}));
+  EXPECT_TRUE(context()["asked"].is_unknown());
+  EXPECT_EQ(context()["waiting"]["topic"], "Table");
+  EXPECT_EQ(context()["waiting"]["slot"], "Chairs");
 }
 
 TEST_F(UnderstandingContext, ForgetsItWhenItBeginsAnew) {

@@ -367,6 +367,17 @@ private:
   const Island* lead_in_ = nullptr;
 };
 
+// Whether rules fill the same slots with the same.
+bool says_same(const BuiltAct& left, const BuiltAct& right) {
+  return left.topic != no_topic && left.topic == right.topic &&
+         left.act == right.act && !left.fills.empty() &&
+         std::ranges::equal(
+             left.fills, right.fills, [](const Fill& one, const Fill& other) {
+               return one.slot == other.slot && one.literal && other.literal &&
+                      *one.literal == *other.literal;
+             });
+}
+
 } // namespace
 
 std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
@@ -377,6 +388,8 @@ std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
   std::erase_if(acts,
                 [&](const BuiltAct& act) { return act.score < threshold; });
   drop_asides(acts, utterance, context);
+  // What is said twice in one breath is done once.
+  acts.erase(std::unique(acts.begin(), acts.end(), says_same), acts.end());
   return acts;
 }
 

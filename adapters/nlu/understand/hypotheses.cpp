@@ -129,7 +129,7 @@ private:
 // The largest bonus that an act about the topic can get.
 double max_bonus(TopicNumber topic, const Context& context) {
   return context.bonus(topic) +
-         (topic == context.asked_topic ? asked_bonus : 0);
+         (topic == context.asked_topic ? context.asked_bonus() : 0);
 }
 
 // As for acts of grammars (acts.cpp).
@@ -137,7 +137,7 @@ double bonus_of(const BuiltAct& act, const Context& context) {
   const bool asked = act.topic == context.asked_topic &&
                      std::ranges::find(act.fills, context.asked_slot,
                                        &Fill::slot) != act.fills.end();
-  return context.bonus(act.topic) + (asked ? asked_bonus : 0);
+  return context.bonus(act.topic) + (asked ? context.asked_bonus() : 0);
 }
 
 // Evidence of known values: the share of the utterance that they are, and which
@@ -317,6 +317,11 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
     return act.score < acts.front().score - alternative_range;
   });
   return acts;
+}
+
+std::vector<Fill> certain_fills(const Utterance& utterance, Spans& spans,
+                                const Schema& schema, TopicNumber topic) {
+  return SlotFiller(utterance, spans, schema, topic).run({});
 }
 
 bool leaves_open(const std::vector<BuiltAct>& acts) {

@@ -18,6 +18,10 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
                                         const Context& context,
                                         double threshold);
 
+// The values that clearly fill slots of the topic.
+std::vector<Fill> certain_fills(const Utterance& utterance, Spans& spans,
+                                const Schema& schema, TopicNumber topic);
+
 // Whether the acts that grammars found are so few or so weak that the examples
 // may know more.
 bool leaves_open(const std::vector<BuiltAct>& acts);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "adapters/nlu/grammar/automaton_builder.hpp"
 #include "adapters/nlu/grammar/examples.hpp"
 #include "adapters/nlu/parse/act_value.hpp"
@@ -15,9 +17,11 @@
 #include "adapters/nlu/parse/doubt.hpp"
 #include "adapters/nlu/parse/island_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
+#include "adapters/nlu/parse/unmatched_values.hpp"
 #include "adapters/nlu/understand/explanation.hpp"
 #include "adapters/nlu/understand/heard_texts.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
+#include "adapters/nlu/understand/likeness.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -184,6 +188,7 @@ struct NluEngine::Implementation {
   Schema schema;
   Automaton automaton;
   TrainedModel learned;
+  Likeness likeness;
   double threshold;
 
   // The entities to look for: those of the grammars, and those of the context.
@@ -202,13 +207,19 @@ struct NluEngine::Implementation {
     return build_acts(chain, utterance, schema, context, threshold);
   }
 
-  // If the context names one grammar, examples are not used.
+  // If the context names one grammar, examples are not used. The last resort,
+  // where nothing else is understood, is what the utterance is most like.
   std::vector<BuiltAct> hypotheses(const Utterance& utterance, Spans& spans,
-                                   const Context& context) const {
+                                   const Context& context,
+                                   bool nothing_else) const {
     if (!context.grammar.empty())
       return {};
-    return hypothesised_acts(learned, utterance, spans, schema, context,
-                             threshold);
+    auto made = hypothesised_acts(learned, utterance, spans, schema, context,
+                                  threshold);
+    if (made.empty() && nothing_else)
+      made = likeness.acts(utterance, spans, learned.words(utterance, spans),
+                           schema, context, threshold);
+    return made;
   }
 
   // The chains that end in other topics and score nearly as high.
@@ -232,8 +243,16 @@ struct NluEngine::Implementation {
     const Explanation explanation(utterance, spans, schema);
     auto lines = explanation.lines(islands, chains, acts);
     const auto learnt = explanation.learnt(learned);
-    lines.insert(lines.end() - static_cast<std::ptrdiff_t>(acts.size()),
-                 learnt.begin(), learnt.end());
+    const auto before_acts = [&] {
+      return lines.end() - static_cast<std::ptrdiff_t>(acts.size());
+    };
+    lines.insert(before_acts(), learnt.begin(), learnt.end());
+    for (const auto& like :
+         likeness.likes(utterance, learned.words(utterance, spans)))
+      lines.insert(before_acts(),
+                   fmt::format("alike {:.2f} {} \"{}\"", like.similarity,
+                               schema.at(like.meaning.topic).name,
+                               like.sentence));
     return lines;
   }
 };
@@ -266,14 +285,15 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
                           {}, std::move(options.vectors));
   if (!learned)
     return tl::make_unexpected(std::vector{learned.error()});
+  Likeness likeness(automaton, schema);
   // Not before: what is learnt is learnt of the words of the examples.
   add_synonyms(
       options.synonyms,
       [&](auto word) { return schema.values().has_word(word); }, automaton);
   schema.add_synonyms(options.synonyms);
-  return NluEngine(std::shared_ptr<const Implementation>(
-      new Implementation{std::move(schema), std::move(automaton),
-                         std::move(*learned), options.threshold}));
+  return NluEngine(std::shared_ptr<const Implementation>(new Implementation{
+      std::move(schema), std::move(automaton), std::move(*learned),
+      std::move(likeness), options.threshold}));
 }
 
 Understanding NluEngine::understand(std::string_view text, const Value& context,
@@ -294,6 +314,29 @@ Understanding NluEngine::understand(std::string_view text, const Value& context,
   return chosen;
 }
 
+namespace {
+
+// Each of these sees what the ones before it have left.
+void leave_out_what_nobody_means(std::vector<Island>& islands,
+                                 const Utterance& utterance, const Spans& spans,
+                                 const Schema& schema, const Context& context) {
+  leave_out_guesses(islands, spans, schema);
+  leave_out_unnamed(islands, utterance, spans);
+  leave_out_strangers(islands, utterance, spans);
+  leave_out_pieces_of_values(islands, spans);
+  leave_out_lookalikes(islands, utterance, spans, context);
+  leave_out_unlikely_values(islands, utterance, spans, schema, context);
+  leave_out_stories(islands, utterance, spans, context);
+  leave_out_acts_inside(islands, utterance, spans);
+  trust_whole_values(islands, utterance, spans);
+  leave_out_parts(islands, schema, context);
+  prefer_answers(islands, context);
+  prefer_application(islands);
+  drop_implausible(islands, utterance, spans);
+}
+
+} // namespace
+
 Understanding NluEngine::read(std::string_view text, const Value& context_value,
                               bool explain) const {
   const auto& self = *implementation_;
@@ -308,25 +351,17 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
                   context.grammar);
   auto islands = read_islands(matcher.run(), matcher.traces(), spans,
                               self.automaton, schema, context);
-  leave_out_guesses(islands, spans, schema);
-  leave_out_unnamed(islands, utterance, spans);
-  leave_out_strangers(islands, utterance, spans);
-  leave_out_stories(islands, utterance, spans, context);
-  leave_out_acts_inside(islands, utterance, spans);
-  trust_whole_values(islands, utterance, spans);
-  leave_out_parts(islands, schema, context);
-  prefer_answers(islands, context);
-  prefer_application(islands);
-  drop_implausible(islands, utterance, spans);
+  leave_out_what_nobody_means(islands, utterance, spans, schema, context);
   const auto chains = best_chains(islands, utterance.size(), context);
   auto acts = self.acts_of(chains[0], utterance, context);
   const auto choice = choice_of(utterance, context);
   if (choice)
     acts = {*choice};
-  // Examples are asked only if grammars left something open.
-  const auto hypotheses = !choice && leaves_open(acts)
-                              ? self.hypotheses(utterance, spans, context)
-                              : std::vector<BuiltAct>();
+  // Only if grammars left something open.
+  const auto hypotheses =
+      !choice && leaves_open(acts)
+          ? self.hypotheses(utterance, spans, context, acts.empty())
+          : std::vector<BuiltAct>();
   const bool guessed = !hypotheses.empty() &&
                        prefer_better(acts, hypotheses[0], schema, context);
   for (auto& act : acts)

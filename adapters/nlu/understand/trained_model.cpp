@@ -20,6 +20,8 @@ constexpr std::uint32_t nothing = 0;
 
 // With fewer texts, too few can be held out to find the calibration.
 constexpr std::size_t many_texts = 300;
+// From so many on, the calibration alone tells what is about nothing.
+constexpr std::size_t very_many_texts = 2000;
 // Words in one text without a topic.
 constexpr std::size_t words_of_nothing = 20;
 // One text in this many is held out for the calibration.
@@ -36,10 +38,15 @@ bool held_out(const std::vector<Feature>& features) {
   return (sum >> 32) % one_in == 0;
 }
 
+// Words that only sound or look like a value are no evidence: in "how can I
+// root a phone", nobody is called Ruth.
+constexpr float known_value = 0.9F;
+
 // Whether the span is a known value, without titles and determiners before it.
 bool is_certain(const Span& span) {
   return (is_form(span.entity) || is_set(span.entity)) && !span.weak &&
-         !span.unmatched && span.begin == span.core;
+         !span.unmatched && span.confidence >= known_value &&
+         span.begin == span.core;
 }
 
 } // namespace
@@ -86,6 +93,9 @@ public:
       return {};
     learned_.topics_.push_back(schema_.topic(topic.name));
     learned_.negates_.push_back(false);
+    const auto& slots = schema_.at(learned_.topics_.back()).slots;
+    learned_.takes_any_words_.push_back(std::ranges::any_of(
+        slots, [](const auto& slot) { return slot.entity == words_entity; }));
     for (const auto& example : topic.examples)
       if (const auto marked = read_marks(example)) {
         add(*marked);
@@ -242,6 +252,8 @@ private:
       read.push_back({trial->read(text.features), text.label});
     learned_.certainty_ = Certainty(read, threshold);
     learned_.least_known_ = 0;
+    if (learnt.size() + others.size() >= very_many_texts)
+      learned_.mostly_known_ = 0;
   }
 
   TrainedModel& learned_;
@@ -274,10 +286,12 @@ TrainedModel::topics(const std::vector<LearningWord>& words) const {
   const auto reading = classifier_.read(text_features(words));
   if (reading.known < least_known_)
     return {};
+  const bool is_mostly_new = reading.known < mostly_known_;
   const auto probabilities = certainty_.probabilities(reading);
   std::vector<TopicHypothesis> made;
   for (std::size_t at = 0; at < topics_.size(); ++at)
-    made.push_back({topics_[at], probabilities[at + 1], negates_[at]});
+    if (!is_mostly_new || takes_any_words_[at])
+      made.push_back({topics_[at], probabilities[at + 1], negates_[at]});
   std::ranges::stable_sort(made, std::greater(), &TopicHypothesis::probability);
   return made;
 }

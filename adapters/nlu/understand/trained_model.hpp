@@ -85,6 +85,8 @@ private:
   std::vector<TopicNumber> topics_;
   // By label - 1: whether examples are negated orders.
   std::vector<bool> negates_;
+  // By label - 1: whether a slot takes any words.
+  std::vector<bool> takes_any_words_;
   std::vector<std::string> slots_;
   // By topic: its slots, as numbers of the tagger.
   std::vector<std::vector<std::uint32_t>> slots_of_;
@@ -96,6 +98,10 @@ private:
   // few of them for more. A few letters in common ("foo" and "for") stay below
   // it; another form of a word ("renting" for "rent") is above.
   float least_known_ = 0.3F;
+  // The same for a topic none of whose slots takes any words, unless there are
+  // very many examples: where most words are new, the topic that is least
+  // unlikely tells nothing.
+  float mostly_known_ = 0.5F;
 };
 
 } // namespace parlour::adapters::nlu

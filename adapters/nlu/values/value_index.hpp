@@ -62,6 +62,11 @@ public:
     return !words_.find(word, false).empty();
   }
 
+  // Whether its values look like names of people.
+  bool has_people(SetId set) const {
+    return sets_[set].of_people;
+  }
+
   const std::string& value(SetId set, std::uint32_t number) const {
     return values_[sets_[set].first + number].text;
   }

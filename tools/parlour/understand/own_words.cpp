@@ -46,8 +46,11 @@ std::optional<SentWords> OwnWords::say(const std::string& text) {
   sent_.reset();
   node_->enter(seat_, {text});
   node_->run_until_quiet();
+  auto sent = std::exchange(sent_, {});
+  // Wait until it has ended: the next sentence would be said in it.
   node_->end(session);
-  return std::exchange(sent_, {});
+  node_->run_until_quiet();
+  return sent;
 }
 
 } // namespace parlour::tools

@@ -12,7 +12,9 @@ constexpr const char* marks = R"(
   public <thanks> = thank you {act=thank};
   public <leads> = how about;
   public <kind> = @Facility.Category;
-  public <when> = @time {Appointment.Time};)";
+  public <when> = @time {Appointment.Time};
+  public <rain> = (umbrella | raincoat) {Category=shop} {act=request}
+    {topic=Facility};)";
 
 List acts(const std::string& text, double threshold = 0.4) {
   const Stages stages(std::string(sample_grammar) + marks, text);
@@ -42,6 +44,11 @@ TEST(Acts, CountTheWordsOfTheirSentences) {
   EXPECT_EQ(summary(acts("Need a taxi. Zork gronk blarg flimm dork plim")),
             "inform Taxi");
   EXPECT_EQ(summary(acts("zork gronk blarg flimm dork plim need a taxi")), "");
+}
+
+TEST(Acts, AreDoneOnceThoughSaidTwice) {
+  EXPECT_EQ(summary(acts("an umbrella, any raincoat")),
+            "request Facility Category=shop");
 }
 
 TEST(Acts, AreMadeOfIslands) {

@@ -8,7 +8,8 @@ class OwnWordsTest : public ApplicationTest {
 protected:
   auto start(const std::string& handler) const {
     folder_.write("own.xml",
-                  "<dialogue><handler name=\"Own\"><messages><component><ASR>"
+                  "<dialogue><var name=\"said\" expr=\"''\"/><handler "
+                  "name=\"Own\"><messages><component><ASR>"
                   "<RecognitionResult>" +
                       handler +
                       "</RecognitionResult></ASR></component></messages>"
@@ -33,6 +34,19 @@ TEST_F(OwnWordsTest, are_what_the_handler_makes_of_them) {
     EXPECT_EQ(sent->text, "for Jeff Jeffery");
     EXPECT_EQ((*sent->context.find("now")),
               Value(*parse_timestamp("2026-11-24 09:00")));
+  }
+}
+
+// What the sentence before left behind would change what this one means.
+TEST_F(OwnWordsTest, are_said_in_a_conversation_of_their_own) {
+  auto own = start("<post module=\"NLU\" command=\"DoNLU\" "
+                   "param=\"_LPARAM1 + said\"/>"
+                   "<set name=\"said\" expr=\"' again'\"/>");
+  ASSERT_TRUE(own) << to_string(own.error());
+  for (int time = 0; time < 4; ++time) {
+    const auto sent = (*own)->say("hello");
+    ASSERT_TRUE(sent);
+    EXPECT_EQ(sent->text, "hello");
   }
 }
 

@@ -1,0 +1,43 @@
+// Sentences that the rules of an application say, with what they mean: random
+// walks through the automaton. What is learnt from them knows also what is said
+// in other words than a rule has (understanding/likeness.hpp).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "adapters/nlu/grammar/automaton.hpp"
+
+namespace parlour::adapters::nlu {
+
+// What a sentence means, apart from the values that are said in it.
+struct SentenceMeaning {
+  TopicNumber topic = no_topic;
+  std::string act;
+  // Slots that the rule fills by itself ({Aspect=price}), in order.
+  std::vector<std::pair<std::string, Value>> literals;
+
+  bool operator==(const SentenceMeaning&) const = default;
+};
+
+struct SampledWord {
+  std::string_view word; // of the automaton's vocabulary; empty: a value
+  EntityId value = words_entity;
+};
+
+struct SampledSentence {
+  // Values that may be any words are left out.
+  std::vector<SampledWord> words;
+  SentenceMeaning meaning;
+};
+
+// About `count` sentences, fewer if the rules say fewer; each once. Rules of
+// the platform, bare values and rules that deny or correct are left out, as are
+// those whose topic only the conversation tells. The same for equal automata.
+std::vector<SampledSentence> sample_sentences(const Automaton& automaton,
+                                              const Schema& schema,
+                                              std::size_t count);
+
+} // namespace parlour::adapters::nlu

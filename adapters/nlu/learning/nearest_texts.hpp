@@ -1,0 +1,69 @@
+// NearestTexts remembers texts and finds those that another one is like: by
+// words, pairs of words and beginnings of words, of which rare ones count more
+// (the cosine of their weights by inverse document frequency).
+//
+//  NearestTexts texts;
+//  texts.add({"where", "is", "the", "@3"}, 7);
+//  texts.finish();
+//  texts.find({{"where", "might", "@3", "be"}}, 1); // label 7, 0.6 alike
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "adapters/nlu/learning/features.hpp"
+
+namespace parlour::adapters::nlu {
+
+struct NearText {
+  std::uint32_t label = 0;
+  std::uint32_t text = 0; // its number, in the order of add()
+  float similarity = 0;   // 0 to 1
+};
+
+// Once finished, any number of threads may use it.
+class NearestTexts {
+public:
+  using Words = std::vector<std::string>;
+
+  void add(const Words& words, std::uint32_t label);
+  // Call it once, behind all texts.
+  void finish();
+
+  // The nearest text of each label, the most similar first, at most `most`.
+  // `others` are, for some words, further ones as which they may be read.
+  std::vector<NearText> find(const Words& words,
+                             const std::vector<Words>& others,
+                             std::size_t most) const;
+
+  bool empty() const {
+    return labels_.empty();
+  }
+
+private:
+  struct Weighted {
+    Feature feature = 0;
+    float weight = 0;
+  };
+  struct Posting {
+    std::uint32_t text = 0;
+    float weight = 0;
+  };
+  struct Column {
+    float rarity = 0;
+    std::vector<Posting> texts;
+  };
+
+  static std::vector<Weighted> features(const Words& words);
+  static std::vector<Feature> values(const Words& words);
+
+  std::vector<std::vector<Weighted>> waiting_; // until finish()
+  std::vector<std::uint32_t> labels_;          // by text
+  std::vector<std::vector<Feature>> values_;   // by text, sorted
+  std::uint32_t label_count_ = 0;
+  std::unordered_map<Feature, Column> columns_;
+};
+
+} // namespace parlour::adapters::nlu

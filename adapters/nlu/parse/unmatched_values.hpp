@@ -1,0 +1,33 @@
+// Where a value of a list belongs, words may stand that are none of it: "is
+// there a sauna". Who says so may be told that there is none. But nearly any
+// words can stand at such a place, so most sentences about something else would
+// look like it (docs/understanding.md, "Values that nobody knows").
+#pragma once
+
+#include <vector>
+
+#include "adapters/nlu/parse/context.hpp"
+#include "adapters/nlu/parse/islands.hpp"
+
+namespace parlour::adapters::nlu {
+
+// Takes out islands that have nothing but such a value, where it is unlikely
+// that it is one, unless the conversation is about it.
+void leave_out_unlikely_values(std::vector<Island>& islands,
+                               const Utterance& utterance, const Spans& spans,
+                               const Schema& schema, const Context& context);
+
+// Takes out values that words only look or sound like and that stand alone
+// beside words which mean something else: in "how can I root a phone", nobody
+// asks for Ruth.
+void leave_out_lookalikes(std::vector<Island>& islands,
+                          const Utterance& utterance, const Spans& spans,
+                          const Context& context);
+
+// Takes out islands with a value that is only like what is said, or named in
+// part, where the words belong to a longer value: in "the lung clinic" nobody
+// means the lung ward.
+void leave_out_pieces_of_values(std::vector<Island>& islands,
+                                const Spans& spans);
+
+} // namespace parlour::adapters::nlu

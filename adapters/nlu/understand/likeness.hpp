@@ -1,0 +1,47 @@
+// What an utterance is like, of all that the application's rules say. Where
+// neither rules nor examples understand anything, an utterance that is much
+// like what a rule says is taken for it (docs/understanding.md, "Much like a
+// rule").
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adapters/nlu/grammar/sampled_sentences.hpp"
+#include "adapters/nlu/learning/nearest_texts.hpp"
+#include "adapters/nlu/parse/built_act.hpp"
+#include "adapters/nlu/understand/trained_model.hpp"
+
+namespace parlour::adapters::nlu {
+
+// Immutable; any number of threads may use it.
+class Likeness {
+public:
+  struct Like {
+    SentenceMeaning meaning;
+    std::string sentence; // that a rule says
+    double similarity = 0;
+  };
+
+  Likeness(const Automaton& automaton, const Schema& schema);
+
+  // The meanings that it is most like, the most similar first.
+  std::vector<Like> likes(const Utterance& utterance,
+                          const std::vector<LearningWord>& words) const;
+
+  // The act that the utterance is most like, and others that are nearly as
+  // similar. Empty if none reaches the threshold by its similarity and the
+  // bonus for being expected.
+  std::vector<BuiltAct> acts(const Utterance& utterance, Spans& spans,
+                             const std::vector<LearningWord>& words,
+                             const Schema& schema, const Context& context,
+                             double threshold) const;
+
+private:
+  std::vector<SentenceMeaning> meanings_;
+  std::vector<std::string> sentences_; // by text
+  std::vector<std::string> words_;     // by number of the automaton
+  NearestTexts texts_;
+};
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,55 @@
+#include <gmock/gmock.h>
+
+#include "adapters/nlu/understand/likeness.hpp"
+#include "tests/adapters/nlu/sample.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+constexpr const char* rules = R"(#JSGF V1.0; grammar desk;
+public <print> = where can i [go to] print [a few] pages {Name=Copy shop}
+  {topic=Facility} {act=request};
+public <where> = what way leads to @Facility.Category {topic=Facility};
+public <cab> = order me a nice cab [to @words {Destination}] {topic=Taxi};
+public <meet> = arrange a meeting with @db:staff.name {Host}
+  {topic=Appointment};
+)";
+
+std::string understood(const char* text, const char* asked = "",
+                       double threshold = 0.4) {
+  auto model = sample_model();
+  model.grammars = {{"desk", rules, {}}};
+  for (auto& topic : model.topics)
+    topic.examples.clear();
+  const auto engine = NluEngine::build(model, sample_column, {threshold, {}});
+  return engine ? summary(engine->understand(text, sample_context(asked)).acts)
+                : to_string(engine.error().front());
+}
+
+TEST(Likeness, MuchLikeARuleIsUnderstood) {
+  EXPECT_EQ(understood("can pages print here, where"),
+            "request Facility Name=Copy shop");
+  EXPECT_EQ(understood("purple cows eat pages"), "");
+}
+
+TEST(Likeness, ValuesAreTaken) {
+  EXPECT_EQ(understood("the bank, what leads to it, which way"),
+            "request Facility Category=bank");
+  EXPECT_EQ(understood("which way leads to it, what"), "");
+}
+
+TEST(Likeness, ATaskWithoutAValueNeedsMore) {
+  EXPECT_EQ(understood("cab order nice"), "inform Taxi");
+  EXPECT_EQ(understood("cab order for granny"), "");
+}
+
+TEST(Likeness, MustReachTheThreshold) {
+  EXPECT_EQ(understood("can pages print here, where", "", 0.95), "");
+}
+
+TEST(Likeness, NegatedOrdersAreLikeNone) {
+  EXPECT_EQ(understood("never order me cab nice"), "");
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

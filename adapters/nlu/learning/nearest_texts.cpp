@@ -104,8 +104,8 @@ std::vector<NearText> NearestTexts::find(const Words& words,
     if (found != columns_.end())
       look(found->second, weight);
   }
-  for (std::size_t at = 0; at < others.size(); ++at)
-    for (const auto& other : others[at])
+  for (const auto& further : others)
+    for (const auto& other : further)
       if (const auto found = columns_.find(word_feature(other));
           found != columns_.end())
         look(found->second, weight_of_other * found->second.rarity);

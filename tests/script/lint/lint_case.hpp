@@ -16,8 +16,8 @@ struct Linted {
   const char* said;     // "line:column name", each; empty: nothing
 };
 
-inline void PrintTo(const Linted& linted, std::ostream* stream) {
-  *stream << linted.dialogue;
+inline std::ostream& operator<<(std::ostream& stream, const Linted& linted) {
+  return stream << linted.dialogue;
 }
 
 inline std::string lints_of(const std::string& dialogue,

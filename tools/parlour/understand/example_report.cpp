@@ -81,10 +81,11 @@ private:
 
   void advise(std::vector<std::string>& lines) const {
     if (examples_ < enough)
-      lines.push_back(
+      lines.emplace_back(
           "  add examples in other words: five to ten that differ do");
     else if (repeats_.size() * 2 >= examples_)
-      lines.push_back("  put others in their place: they teach the same again");
+      lines.emplace_back(
+          "  put others in their place: they teach the same again");
     if (!lone_.empty())
       lines.push_back(fmt::format(
           "  add another example with: {}",

@@ -8,7 +8,6 @@
 namespace parlour::adapters::nlu::test {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;

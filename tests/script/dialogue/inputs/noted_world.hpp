@@ -24,7 +24,7 @@ struct NotedWorld : World {
   }
   void take(SessionInput input) override {
     inputs.push_back({now, input});
-    Surroundings::take(std::move(input));
+    World::take(std::move(input));
     answers.push_back(port_.take_answers());
   }
 

@@ -53,9 +53,9 @@ void bind_to_seats(const Settings& settings, Composition& composition) {
             {Severity::error, binding.place,
              no_filler(seat, binding, *found, composition)});
     }
-  std::ranges::stable_partition(components, [](const ChosenComponent& one) {
-    return !one.policy.seat.empty();
-  });
+  std::stable_partition(
+      components.begin(), components.end(),
+      [](const ChosenComponent& one) { return !one.policy.seat.empty(); });
 }
 
 } // namespace parlour::tools

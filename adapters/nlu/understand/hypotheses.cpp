@@ -307,7 +307,8 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
                     .run(learned.slots(hypothesis.topic, features));
     act.end = static_cast<std::uint32_t>(utterance.size());
     act.score = probability + bonus_of(act, context);
-    const bool begins = !topic.enquiry && act.fills.empty() &&
+    const bool begins = learned.is_beside_grammars() && !topic.enquiry &&
+                        act.fills.empty() &&
                         max_bonus(hypothesis.topic, context) == 0;
     if (act.score >= threshold + (begins ? task_without_values : 0))
       acts.push_back(std::move(act));

@@ -22,6 +22,8 @@ constexpr std::uint32_t nothing = 0;
 constexpr std::size_t many_texts = 300;
 // From so many on, the calibration alone tells what is about nothing.
 constexpr std::size_t very_many_texts = 2000;
+// Of the words, beside grammars.
+constexpr float mostly_known = 0.5F;
 // Words in one text without a topic.
 constexpr std::size_t words_of_nothing = 20;
 // One text in this many is held out for the calibration.
@@ -47,6 +49,13 @@ bool is_certain(const Span& span) {
   return (is_form(span.entity) || is_set(span.entity)) && !span.weak &&
          !span.unmatched && span.confidence >= known_value &&
          span.begin == span.core;
+}
+
+// Whether there are rules that are neither examples nor the platform's.
+bool has_grammars(const Automaton& automaton) {
+  return std::ranges::any_of(automaton.rules, [](const RuleInfo& rule) {
+    return !rule.generic && !rule.bare && !rule.grammar.empty();
+  });
 }
 
 } // namespace
@@ -272,6 +281,9 @@ TrainedModel::train(const std::vector<TopicModel>& topics, const Schema& schema,
                     LearningLimits limits, Vectors vectors) {
   TrainedModel learned;
   learned.vectors_ = std::move(vectors);
+  learned.beside_grammars_ = has_grammars(automaton);
+  if (learned.beside_grammars_)
+    learned.mostly_known_ = mostly_known;
   Trainer trainer(learned, schema, automaton, limits);
   for (const auto& topic : topics)
     if (auto added = trainer.add(topic); !added)

@@ -77,6 +77,11 @@ public:
   bool empty() const {
     return topics_.empty();
   }
+  // Whether the application has grammars, so that examples are not all that it
+  // understands by.
+  bool is_beside_grammars() const {
+    return beside_grammars_;
+  }
 
 private:
   friend class Trainer;
@@ -98,10 +103,11 @@ private:
   // few of them for more. A few letters in common ("foo" and "for") stay below
   // it; another form of a word ("renting" for "rent") is above.
   float least_known_ = 0.3F;
-  // The same for a topic none of whose slots takes any words, unless there are
-  // very many examples: where most words are new, the topic that is least
-  // unlikely tells nothing.
-  float mostly_known_ = 0.5F;
+  // The same for a topic none of whose slots takes any words, beside grammars
+  // and unless there are very many examples: of words that are mostly new to
+  // both, the topic that is least unlikely tells nothing.
+  float mostly_known_ = 0;
+  bool beside_grammars_ = false;
 };
 
 } // namespace parlour::adapters::nlu

@@ -73,6 +73,22 @@ TEST(TrainedModel, KnowsNothingOfWordsThatNoExampleHas) {
   EXPECT_NE(topics_of("waits"), 0U); // as in "waiting"
 }
 
+// Beside grammars, a topic whose slots are lists needs more.
+TEST(TrainedModel, MostWordsAreKnownBesideGrammars) {
+  const auto knows = [](const std::string& rules) {
+    Stages stages(rules, "is there any blue tall parrot house");
+    auto topics = lessons();
+    topics[0].examples.clear();
+    topics[2].examples.clear();
+    const auto learned =
+        *TrainedModel::train(topics, stages.schema, stages.automaton, 0.4);
+    return !learned.topics(learned.words(stages.utterance, stages.spans))
+                .empty();
+  };
+  EXPECT_TRUE(knows(""));
+  EXPECT_FALSE(knows("public <x> = hello;"));
+}
+
 TEST(TrainedModel, SaysWhatIsTooMuchToLearn) {
   Stages stages("public <x> = hello;", "hello");
   const auto failure = [&](LearningLimits limits) {

@@ -40,7 +40,6 @@ private:
   void read_tags(std::uint32_t actions);
   std::optional<SentenceMeaning> meaning(const RuleInfo& rule) const;
   TopicNumber only_topic() const;
-  std::string key() const;
 
   const Automaton& automaton_;
   const Schema& schema_;
@@ -66,10 +65,10 @@ std::vector<SampledSentence> Walker::run(std::size_t count) {
   const auto starts = steps_from(automaton_.states[0]);
   if (starts.empty())
     return sentences;
-  std::set<std::string> seen;
+  std::set<std::vector<std::string>> seen;
   for (std::size_t at = 0; at < count; ++at)
     if (auto sentence = walk(starts[at % starts.size()]))
-      if (seen.insert(key()).second)
+      if (seen.insert(sentence->words).second)
         sentences.push_back(std::move(*sentence));
   return sentences;
 }
@@ -103,11 +102,11 @@ void Walker::take(const Step& step) {
   read_tags(step.arc->actions);
   const auto symbol = step.arc->symbol;
   if (!step.is_value)
-    made_.words.push_back({words_[symbol]});
+    made_.words.emplace_back(words_[symbol]);
   else if (symbol == asked_entity)
     is_unusable_ = true;
   else if (is_form(symbol) || is_set(symbol))
-    made_.words.push_back({{}, symbol});
+    made_.words.push_back(value_word(symbol));
 }
 
 void Walker::read_tags(std::uint32_t actions) {
@@ -140,7 +139,7 @@ std::optional<SentenceMeaning> Walker::meaning(const RuleInfo& rule) const {
   if (read.topic == no_topic)
     return {};
   if (read.act.empty())
-    read.act = schema_.at(read.topic).enquiry ? "request" : "inform";
+    read.act = schema_.at(read.topic).usual_act();
   if (read.act != "request" && read.act != "inform")
     return {};
   std::ranges::stable_sort(read.literals, {},
@@ -166,15 +165,11 @@ TopicNumber Walker::only_topic() const {
   return found;
 }
 
-std::string Walker::key() const {
-  std::string made;
-  for (const auto& one : made_.words)
-    made += one.word.empty() ? '@' + std::to_string(one.value) + ' '
-                             : std::string(one.word) + ' ';
-  return made;
-}
-
 } // namespace
+
+std::string value_word(EntityId entity) {
+  return '@' + std::to_string(entity);
+}
 
 std::vector<SampledSentence> sample_sentences(const Automaton& automaton,
                                               const Schema& schema,

@@ -4,13 +4,15 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "adapters/nlu/grammar/automaton.hpp"
 
 namespace parlour::adapters::nlu {
+
+// What stands for a value of this kind: "@7".
+std::string value_word(EntityId entity);
 
 // What a sentence means, apart from the values that are said in it.
 struct SentenceMeaning {
@@ -22,14 +24,9 @@ struct SentenceMeaning {
   bool operator==(const SentenceMeaning&) const = default;
 };
 
-struct SampledWord {
-  std::string_view word; // of the automaton's vocabulary; empty: a value
-  EntityId value = words_entity;
-};
-
 struct SampledSentence {
-  // Values that may be any words are left out.
-  std::vector<SampledWord> words;
+  // With a value_word() for each value; any words are left out.
+  std::vector<std::string> words;
   SentenceMeaning meaning;
 };
 

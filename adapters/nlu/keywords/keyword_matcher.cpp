@@ -239,9 +239,8 @@ private:
          {context_.asked_topic, context_.current, context_.resting})
       if (topic != no_topic && acts.empty())
         if (auto slots = expected_slots(topic); !slots.empty())
-          acts.push_back(
-              act(topic, rules_.schema.at(topic).enquiry ? "request" : "inform",
-                  std::move(slots), true));
+          acts.push_back(act(topic, rules_.schema.at(topic).usual_act(),
+                             std::move(slots), true));
   }
 
   // Values for the slots of a topic that the context expects. A text without

@@ -127,7 +127,7 @@ private:
 
   // The act of a rule about a topic has a default.
   std::string act_of(pugi::xml_node node, TopicNumber topic) {
-    const std::string act = node.attribute("act").value();
+    std::string act = node.attribute("act").value();
     if (act.empty() && topic == no_topic && !node.attribute("topic"))
       error(node, "a rule has a topic, an act, or both");
     if (!act.empty() && !act_kind(act))
@@ -135,7 +135,7 @@ private:
             "there is no act '" + act + "'; there are " + listed(act_names()));
     if (!act.empty() || topic == no_topic)
       return act;
-    return schema_.at(topic).enquiry ? "request" : "inform";
+    return schema_.at(topic).usual_act();
   }
 
   // Whether the node is the expected element. Reports another element; text and

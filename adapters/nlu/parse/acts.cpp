@@ -292,7 +292,7 @@ private:
       return "correct";
     if (!group_.act.empty())
       return group_.act;
-    return schema_.at(group_.topic).enquiry ? "request" : "inform";
+    return schema_.at(group_.topic).usual_act();
   }
 
   // A value without a sentence around it, or with "how about" before it.

@@ -57,7 +57,7 @@ double Context::bonus(TopicNumber topic) const {
 
 double Context::waiting_bonus(TopicNumber topic, bool fills_it) const {
   return topic != no_topic && topic == waiting_topic && fills_it
-             ? nlu::asked_bonus / 2
+             ? asked_bonus / 2
              : 0;
 }
 

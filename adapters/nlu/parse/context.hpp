@@ -39,8 +39,9 @@ struct Context {
   // "Score"): 0.2 for the current topic, 0.1 for a resting or unfinished one,
   // or the one that was completed last.
   double bonus(TopicNumber topic) const;
-  double asked_bonus() const {
-    return nlu::asked_bonus;
+  // Whether an act about it gets anything.
+  bool expects(TopicNumber topic) const {
+    return topic == asked_topic || bonus(topic) > 0;
   }
   // Half of asked_bonus, for the slot whose question waits.
   double waiting_bonus(TopicNumber topic, bool fills_it) const;

@@ -12,10 +12,6 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// From this confidence on the words are the value's own; below the other one,
-// they only sound or look like it.
-constexpr float certain = 0.95F;
-constexpr float guessed = 0.9F;
 // Weights are sums of decimals.
 constexpr double rounding = 0.01;
 
@@ -28,11 +24,11 @@ bool fits(const Fill& fill, const Spans& spans, Predicate is_such) {
 }
 
 bool is_certain(const Span& span) {
-  return !span.unmatched && span.confidence >= certain;
+  return !span.unmatched && span.confidence >= certain_value;
 }
 
 bool is_guess(const Span& span) {
-  return !span.unmatched && span.confidence < guessed;
+  return !span.unmatched && span.confidence < guessed_value;
 }
 
 // In a sentence before that of the other.
@@ -185,7 +181,7 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
   };
   const auto is_expected = [&](const Island& island) {
     return std::ranges::any_of(island.topics, [&](TopicNumber topic) {
-      return context.bonus(topic) > 0 || topic == context.asked_topic;
+      return context.expects(topic);
     });
   };
   // The sentences of what is wanted.
@@ -265,7 +261,7 @@ void trust_whole_values(std::vector<Island>& islands,
     return true;
   };
   const auto is_sure = [](const Span& span) {
-    return !span.unmatched && span.confidence >= guessed;
+    return !span.unmatched && span.confidence >= guessed_value;
   };
   for (auto& island : islands)
     if (island.weak && island.rule->bare && !island.fills.empty() &&

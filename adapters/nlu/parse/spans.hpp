@@ -9,6 +9,11 @@
 
 namespace parlour::adapters::nlu {
 
+// From this confidence on the words are the value's own; below the other one,
+// they only sound or look like it.
+inline constexpr float certain_value = 0.95F;
+inline constexpr float guessed_value = 0.9F;
+
 // A value at a place of the utterance.
 struct Span {
   EntityId entity = words_entity;

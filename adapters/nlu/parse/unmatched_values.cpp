@@ -8,10 +8,6 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// From this confidence on the words are the value's own; below the other one
-// they only sound or look like it.
-constexpr float certain = 0.95F;
-constexpr float guessed = 0.9F;
 // A longer name of something unknown is none.
 constexpr std::uint32_t most_words = 4;
 // The share of its words that a value which nobody knows leaves unexplained
@@ -40,7 +36,7 @@ constexpr std::string_view joining_words[] = {
     "on",    "or", "so", "than", "that", "to",  "when", "with"};
 
 bool is_certain(const Span& span) {
-  return !span.unmatched && !span.weak && span.confidence >= certain;
+  return !span.unmatched && !span.weak && span.confidence >= certain_value;
 }
 
 // What is said around an island.
@@ -52,7 +48,7 @@ public:
   // Whether the conversation is about it.
   bool is_expected(const Island& island) const {
     return std::ranges::any_of(island.topics, [&](TopicNumber topic) {
-      return topic == context_.asked_topic || context_.bonus(topic) > 0;
+      return context_.expects(topic);
     });
   }
 
@@ -210,7 +206,7 @@ void leave_out_lookalikes(std::vector<Island>& islands,
   const auto is_guess = [&](const Fill& fill) {
     return fill.span && is_set(spans[*fill.span].entity) &&
            !spans[*fill.span].unmatched &&
-           spans[*fill.span].confidence < guessed;
+           spans[*fill.span].confidence < guessed_value;
   };
   std::erase_if(islands, [&](const Island& island) {
     return island.rule->bare && !island.fills.empty() &&

@@ -16,9 +16,6 @@ constexpr double alternative_range = 0.1;
 // For how many topics slots are looked for, beside those that the context
 // prefers.
 constexpr std::size_t max_topics = 4;
-// What a task needs above the threshold to be begun by words alone: who asks
-// "how old are you" wants no taxi.
-constexpr double task_without_values = 0.1;
 
 // Whether the fill uses one of these tokens.
 bool overlap(const Fill& fill, std::uint32_t begin, std::uint32_t end) {
@@ -129,7 +126,7 @@ private:
 // The largest bonus that an act about the topic can get.
 double max_bonus(TopicNumber topic, const Context& context) {
   return context.bonus(topic) +
-         (topic == context.asked_topic ? context.asked_bonus() : 0);
+         (topic == context.asked_topic ? asked_bonus : 0);
 }
 
 // As for acts of grammars (acts.cpp).
@@ -137,7 +134,7 @@ double bonus_of(const BuiltAct& act, const Context& context) {
   const bool asked = act.topic == context.asked_topic &&
                      std::ranges::find(act.fills, context.asked_slot,
                                        &Fill::slot) != act.fills.end();
-  return context.bonus(act.topic) + (asked ? context.asked_bonus() : 0);
+  return context.bonus(act.topic) + (asked ? asked_bonus : 0);
 }
 
 // Evidence of known values: the share of the utterance that they are, and which
@@ -301,7 +298,7 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
         return {refusal(utterance, probability)};
       continue;
     }
-    act.act = schema.at(hypothesis.topic).enquiry ? "request" : "inform";
+    act.act = topic.usual_act();
     act.topic = hypothesis.topic;
     act.fills = SlotFiller(utterance, spans, schema, hypothesis.topic)
                     .run(learned.slots(hypothesis.topic, features));
@@ -313,11 +310,15 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
     if (act.score >= threshold + (begins ? task_without_values : 0))
       acts.push_back(std::move(act));
   }
+  keep_best(acts);
+  return acts;
+}
+
+void keep_best(std::vector<BuiltAct>& acts) {
   std::ranges::stable_sort(acts, std::greater(), &BuiltAct::score);
   std::erase_if(acts, [&](const BuiltAct& act) {
     return act.score < acts.front().score - alternative_range;
   });
-  return acts;
 }
 
 std::vector<Fill> certain_fills(const Utterance& utterance, Spans& spans,

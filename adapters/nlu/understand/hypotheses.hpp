@@ -18,6 +18,14 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
                                         const Context& context,
                                         double threshold);
 
+// What a task needs above the threshold to be begun by words alone: who asks
+// "how old are you" wants no taxi.
+inline constexpr double task_without_values = 0.1;
+
+// Leaves the act with the best score, and those that are nearly as good behind
+// it, in the order of their scores.
+void keep_best(std::vector<BuiltAct>& acts);
+
 // The values that clearly fill slots of the topic.
 std::vector<Fill> certain_fills(const Utterance& utterance, Spans& spans,
                                 const Schema& schema, TopicNumber topic);

@@ -12,13 +12,13 @@ namespace {
 // Of the rules that are remembered, and how many meanings are looked at.
 constexpr std::size_t sentences = 8000;
 constexpr std::size_t most_meanings = 3;
-// What a task that no value is said of needs beyond that.
-constexpr double task_without_values = 0.1;
-// How close to the best score an alternative is.
-constexpr double alternative_range = 0.1;
 
-std::string kind_word(EntityId entity) {
-  return '@' + std::to_string(entity);
+// With "@" for each value.
+std::string shown(const std::vector<std::string>& words) {
+  std::string made;
+  for (const auto& word : words)
+    made += (made.empty() ? "" : " ") + (word.starts_with('@') ? "@" : word);
+  return made;
 }
 
 } // namespace
@@ -28,20 +28,12 @@ Likeness::Likeness(const Automaton& automaton, const Schema& schema)
   for (const auto& [word, number] : automaton.vocabulary)
     words_[number] = word;
   for (const auto& sentence : sample_sentences(automaton, schema, sentences)) {
-    NearestTexts::Words words;
-    std::string shown_words;
-    for (const auto& one : sentence.words) {
-      words.push_back(one.word.empty() ? kind_word(one.value)
-                                       : std::string(one.word));
-      shown_words += (shown_words.empty() ? "" : " ") +
-                     (one.word.empty() ? "@" : std::string(one.word));
-    }
     const auto found = std::ranges::find(meanings_, sentence.meaning);
     const auto label = static_cast<std::uint32_t>(found - meanings_.begin());
     if (found == meanings_.end())
       meanings_.push_back(sentence.meaning);
-    texts_.add(words, label);
-    sentences_.push_back(std::move(shown_words));
+    texts_.add(sentence.words, label);
+    sentences_.push_back(shown(sentence.words));
   }
   texts_.finish();
 }
@@ -62,7 +54,7 @@ Likeness::likes(const Utterance& utterance,
           further.push_back(words_[number]);
       }
     } else if (kind != 0 && kind != before) {
-      said.push_back(kind_word(kind - 1));
+      said.push_back(value_word(kind - 1));
     }
     before = kind;
   }
@@ -100,11 +92,14 @@ std::vector<BuiltAct> Likeness::acts(const Utterance& utterance, Spans& spans,
     if (act.score >= threshold + (begins ? task_without_values : 0))
       acts.push_back(std::move(act));
   }
-  std::ranges::stable_sort(acts, std::greater(), &BuiltAct::score);
-  std::erase_if(acts, [&](const BuiltAct& act) {
-    return act.score < acts.front().score - alternative_range ||
-           (&act != &acts.front() && act.topic == acts.front().topic);
-  });
+  keep_best(acts);
+  // Another meaning of the same topic is no alternative to it.
+  if (!acts.empty())
+    acts.erase(std::remove_if(acts.begin() + 1, acts.end(),
+                              [&](const BuiltAct& act) {
+                                return act.topic == acts.front().topic;
+                              }),
+               acts.end());
   return acts;
 }
 

@@ -92,9 +92,9 @@ void add_examples(AutomatonBuilder& builder, Schema& schema,
       }
       info.name = "\"" + example + "\"";
       info.bias = 0;
-      builder.add(with_act(std::move(rules.whole),
-                           topic.enquiry ? "request" : "inform"),
-                  info);
+      builder.add(
+          with_act(std::move(rules.whole), schema.at(info.topic).usual_act()),
+          info);
       info.bias = part_bias;
       for (const auto& part : rules.parts)
         builder.add(part, info);

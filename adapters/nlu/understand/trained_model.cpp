@@ -40,14 +40,12 @@ bool held_out(const std::vector<Feature>& features) {
   return (sum >> 32) % one_in == 0;
 }
 
-// Words that only sound or look like a value are no evidence: in "how can I
-// root a phone", nobody is called Ruth.
-constexpr float known_value = 0.9F;
-
 // Whether the span is a known value, without titles and determiners before it.
+// Words that only sound or look like one are no evidence: in "how can I root a
+// phone", nobody is called Ruth.
 bool is_certain(const Span& span) {
   return (is_form(span.entity) || is_set(span.entity)) && !span.weak &&
-         !span.unmatched && span.confidence >= known_value &&
+         !span.unmatched && span.confidence >= guessed_value &&
          span.begin == span.core;
 }
 

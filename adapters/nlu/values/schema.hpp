@@ -57,6 +57,10 @@ public:
     bool part = false; // spoken about only while it goes on
     std::vector<Slot> slots;
 
+    // What is said about it, where nothing says otherwise.
+    const char* usual_act() const {
+      return enquiry ? "request" : "inform";
+    }
     const Slot* find(std::string_view slot) const;
     bool takes_many(std::string_view slot) const;
   };

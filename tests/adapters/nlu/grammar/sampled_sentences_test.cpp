@@ -22,7 +22,7 @@ std::set<std::string> sampled(const std::string& rules,
        sample_sentences(stages.automaton, stages.schema, count)) {
     std::string line;
     for (const auto& word : one.words)
-      line += (word.word.empty() ? "@" : std::string(word.word)) + " ";
+      line += (word.starts_with('@') ? "@" : word) + " ";
     line += "-> " + one.meaning.act + " " +
             stages.schema.at(one.meaning.topic).name;
     for (const auto& [slot, value] : one.meaning.literals)

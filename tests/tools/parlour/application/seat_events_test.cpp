@@ -1,4 +1,4 @@
-#include "tests/tools/parlour/application_fixture.hpp"
+#include "tests/tools/parlour/application/seats_fixture.hpp"
 #include "tools/parlour/application/seat_events.hpp"
 
 namespace parlour::tools {
@@ -6,21 +6,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class SeatEventsTest : public ApplicationTest {
-protected:
-  Application with(const std::string& seats) {
-    return load("<Plugins><Plugin>LogTaxi</Plugin><Plugin>LogRobot</Plugin>"
-                "<Plugin>LogTelephone</Plugin></Plugins>"
-                "<component name=\"Second\" plugin=\"LogTaxi\"/>"
-                "<agents><agent name=\"Olivia\" stand-in=\"LogRobot\"/>"
-                "</agents>" +
-                    seats,
-                "<state name=\"Welcome\"/>");
-  }
-  std::string errors(const std::string& seats) {
-    return findings(with(seats));
-  }
-};
+using SeatEventsTest = SeatsTest;
 
 TEST_F(SeatEventsTest, takes_the_events_that_can_come) {
   for (const std::string event :

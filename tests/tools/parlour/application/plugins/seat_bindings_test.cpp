@@ -1,4 +1,4 @@
-#include "tests/tools/parlour/application_fixture.hpp"
+#include "tests/tools/parlour/application/seats_fixture.hpp"
 #include "tools/parlour/application/plugins/seat_bindings.hpp"
 
 namespace parlour::tools {
@@ -7,21 +7,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class SeatBindingsTest : public ApplicationTest {
-protected:
-  Application with(const std::string& seats) {
-    return load("<Plugins><Plugin>LogTaxi</Plugin><Plugin>LogRobot</Plugin>"
-                "<Plugin>LogTelephone</Plugin></Plugins>"
-                "<component name=\"Second\" plugin=\"LogTaxi\"/>"
-                "<agents><agent name=\"Olivia\" stand-in=\"LogRobot\"/>"
-                "</agents>" +
-                    seats,
-                "<state name=\"Welcome\"/>");
-  }
-  std::string errors(const std::string& seats) {
-    return findings(with(seats));
-  }
-};
+using SeatBindingsTest = SeatsTest;
 
 TEST_F(SeatBindingsTest, what_belongs_to_a_seat_comes_first) {
   const auto application =

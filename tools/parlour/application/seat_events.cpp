@@ -14,10 +14,6 @@ namespace {
 
 using script::Severity;
 
-bool fills(const ChosenComponent& component, std::string_view role) {
-  return std::ranges::count(component.factory.description.roles, role) > 0;
-}
-
 void add_names(const std::vector<RoleEvent>& events,
                std::vector<std::string>& names) {
   for (const auto& event : events)

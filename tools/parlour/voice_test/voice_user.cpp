@@ -22,10 +22,6 @@ constexpr Milliseconds unheard{2'500};
 constexpr Milliseconds before_cut{600};
 constexpr Milliseconds before_next_line{1'500};
 
-bool has_role(const ChosenComponent& component, const std::string& role) {
-  return std::ranges::count(component.factory.description.roles, role) > 0;
-}
-
 void pass(actors::Node& node, Milliseconds time) {
   node.advance(time);
   node.run_until_quiet();
@@ -50,7 +46,7 @@ Composition VoiceUser::seated(Composition composition,
       component.options.clear();
     } else if (plugin == "FileSpeaker") {
       component.factory = adapters::file_speaker_factory(data / "robot.wav");
-    } else if (recognisers_ && has_role(component, "ASR")) {
+    } else if (recognisers_ && fills(component, "ASR")) {
       component.factory =
           recognisers_->keep(component.name, std::move(component.factory),
                              forgetting_of_recognisers());

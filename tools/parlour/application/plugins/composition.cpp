@@ -193,13 +193,16 @@ Composition compose(const Settings& settings, Catalogue& plugins,
   return Composer(settings, plugins, places).compose();
 }
 
+bool fills(const ChosenComponent& component, std::string_view role) {
+  return std::ranges::count(component.factory.description.roles, role) > 0;
+}
+
 const ChosenComponent* first_of_role(const Composition& composition,
                                      std::string_view role) {
   for (const auto& component : composition.components) {
     if (component.policy.scope.instances == 0)
       continue; // not before it is loaded
-    const auto& roles = component.factory.description.roles;
-    if (std::find(roles.begin(), roles.end(), role) != roles.end())
+    if (fills(component, role))
       return &component;
   }
   return nullptr;
@@ -217,7 +220,7 @@ std::set<std::string, std::less<>> names_of_role(const Composition& composition,
                                                  std::string_view role) {
   std::set<std::string, std::less<>> names;
   for (const auto& component : composition.components)
-    if (std::ranges::count(component.factory.description.roles, role) > 0)
+    if (fills(component, role))
       names.insert(component.name);
   return names;
 }

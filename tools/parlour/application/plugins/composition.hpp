@@ -56,6 +56,9 @@ using OptionPlaces = std::function<std::optional<SourceLocation>(
 Composition compose(const Settings& settings, Catalogue& plugins,
                     const OptionPlaces& places = {});
 
+// Whether it has that role.
+bool fills(const ChosenComponent& component, std::string_view role);
+
 // The first component with that role that the settings start; null if there is
 // none. A component with 0 instances waits for <load> and does not count.
 const ChosenComponent* first_of_role(const Composition& composition,

@@ -10,10 +10,6 @@ namespace {
 
 using script::Severity;
 
-bool fills(const ChosenComponent& component, std::string_view role) {
-  return std::ranges::count(component.factory.description.roles, role) > 0;
-}
-
 std::string no_filler(const SeatSettings& seat,
                       const SeatSettings::Binding& binding,
                       const ChosenComponent& component,

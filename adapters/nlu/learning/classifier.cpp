@@ -23,6 +23,8 @@ constexpr float bias_input = 0.1F;
 constexpr float weight_of_kind = 3;
 // How much a text's meaning counts beside all its features.
 constexpr float weight_of_meaning = 0.7F;
+// The same for what it means as a whole.
+constexpr float weight_of_sentence = 1.5F;
 // With so many texts, features that occur in only one of them are left out.
 constexpr std::size_t many_texts = 2000;
 // Labels that are worked on at once.
@@ -107,11 +109,11 @@ private:
 
 std::optional<Classifier>
 Classifier::train(const std::vector<LabelledText>& texts, std::uint32_t labels,
-                  std::size_t max_weights) {
+                  std::size_t max_weights, Evidence evidence) {
   Classifier made;
   made.labels_ = labels;
   made.stride_ = (labels + lanes - 1) / lanes * lanes;
-  made.number_features(texts);
+  made.number_features(texts, evidence);
   if (made.rows() * made.stride_ > max_weights)
     return {};
   ClassifierTraining(made, texts).run();
@@ -120,7 +122,8 @@ Classifier::train(const std::vector<LabelledText>& texts, std::uint32_t labels,
 
 // Numbers the features that occur often enough and computes their rarity: 1 +
 // log(texts + 1) - log(count + 1).
-void Classifier::number_features(const std::vector<LabelledText>& texts) {
+void Classifier::number_features(const std::vector<LabelledText>& texts,
+                                 Evidence evidence) {
   const std::uint32_t needed = texts.size() < many_texts ? 1 : 2;
   std::unordered_map<Feature, std::uint32_t> counts;
   for (const auto& text : texts) {
@@ -128,6 +131,8 @@ void Classifier::number_features(const std::vector<LabelledText>& texts) {
       if (++counts[feature] == needed)
         table_.add(feature);
     meanings_ = std::max(meanings_, text.features.meaning.size());
+    if (evidence == Evidence::sentences)
+      sentences_ = std::max(sentences_, text.features.sentence.size());
   }
   const auto all = static_cast<float>(texts.size() + 1);
   rarity_.assign(table_.size() + 1, 1 + std::log(all));
@@ -138,7 +143,7 @@ void Classifier::number_features(const std::vector<LabelledText>& texts) {
 
 // The features as a vector of length 1, weighted by rarity. Unknown features
 // count for the length but have no entry, so that a text full of them scores
-// low everywhere. The meaning is a vector beside it.
+// low everywhere. The meanings are vectors beside it.
 std::vector<Classifier::Input>
 Classifier::inputs(const TextFeatures& text) const {
   std::vector<Input> made;
@@ -157,9 +162,14 @@ Classifier::inputs(const TextFeatures& text) const {
   }
   for (auto& input : made)
     input.value /= std::sqrt(sum);
-  for (std::size_t at = 0; at < std::min(meanings_, text.meaning.size()); ++at)
-    made.push_back({static_cast<FeatureNumber>(table_.size() + at),
-                    weight_of_meaning * text.meaning[at]});
+  const auto add = [&](const std::vector<float>& numbers, std::size_t first,
+                       std::size_t most, float weight) {
+    for (std::size_t at = 0; at < std::min(most, numbers.size()); ++at)
+      made.push_back(
+          {static_cast<FeatureNumber>(first + at), weight * numbers[at]});
+  };
+  add(text.meaning, table_.size(), meanings_, weight_of_meaning);
+  add(text.sentence, table_.size() + meanings_, sentences_, weight_of_sentence);
   return made;
 }
 

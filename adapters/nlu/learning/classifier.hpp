@@ -30,6 +30,12 @@ struct TextReading {
   float known = 0;
 };
 
+// What a classifier looks at.
+enum class Evidence : std::uint8_t {
+  words,
+  sentences, // what a text means as a whole, too, if it is told
+};
+
 // Immutable once trained; any number of threads may use it.
 class Classifier {
 public:
@@ -40,7 +46,8 @@ public:
   // features of all texts x labels.
   static std::optional<Classifier> train(const std::vector<LabelledText>& texts,
                                          std::uint32_t labels,
-                                         std::size_t max_weights = no_limit);
+                                         std::size_t max_weights = no_limit,
+                                         Evidence evidence = Evidence::words);
 
   TextReading read(const TextFeatures& features) const;
 
@@ -52,12 +59,13 @@ private:
     float value = 0;
   };
 
-  void number_features(const std::vector<LabelledText>& texts);
+  void number_features(const std::vector<LabelledText>& texts,
+                       Evidence evidence);
   std::vector<Input> inputs(const TextFeatures& text) const;
   // Adds to `scores`, which has `stride_` entries.
   void add_scores(const std::vector<Input>& inputs, float* scores) const;
   std::size_t rows() const {
-    return table_.size() + meanings_ + 1;
+    return table_.size() + meanings_ + sentences_ + 1;
   }
   Input bias() const;
   float* row(std::size_t number) {
@@ -71,10 +79,11 @@ private:
   // The weight of each feature by how few texts have it (inverse document
   // frequency); the last one is that of features which no text has.
   std::vector<float> rarity_;
-  // The numbers of a meaning; 0 if no text has one.
+  // The numbers of a meaning, and of a sentence; 0 if no text has one.
   std::size_t meanings_ = 0;
+  std::size_t sentences_ = 0;
   // One row for each feature with a weight for each label, then one for each
-  // number of the meaning; the last row is the bias.
+  // number of the meaning and of the sentence; the last row is the bias.
   std::vector<float> weights_;
 };
 

@@ -153,9 +153,10 @@ private:
 // The sum of what the words mean, made to a vector of length 1.
 std::vector<float> meaning_of(const std::vector<LearningWord>& words) {
   std::vector<float> sum;
-  for (const auto& [word, kind, meaning] : words) {
-    if (kind != 0)
+  for (const auto& word : words) {
+    if (word.kind != 0)
       continue;
+    const auto& meaning = word.meaning;
     sum.resize(std::max(sum.size(), meaning.steps.size()));
     for (std::size_t at = 0; at < meaning.steps.size(); ++at)
       sum[at] +=

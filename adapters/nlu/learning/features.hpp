@@ -59,6 +59,8 @@ struct LearningWord {
   // nothing.
   std::uint32_t kind = 0;
   WordMeaning meaning = {};
+  // Means nothing ("er", "please"), and has no part in what a sentence means.
+  bool filler = false;
 };
 
 struct TextFeatures {
@@ -67,6 +69,9 @@ struct TextFeatures {
   // What its words mean together, as a vector of length 1; empty if no word has
   // a meaning.
   std::vector<float> meaning;
+  // What it means as a whole, as another vector of length 1; empty if nobody
+  // has said.
+  std::vector<float> sentence = {};
 
   bool operator==(const TextFeatures&) const = default;
 };

@@ -11,6 +11,7 @@
 
 #include "adapters/nlu/grammar/example_file.hpp"
 #include "adapters/nlu/understand/engine_store.hpp"
+#include "adapters/nlu/understand/language_knowledge.hpp"
 #include "adapters/nlu/values/known_columns.hpp"
 #include "runtime/base/outside/file_bytes.hpp"
 #include "runtime/plugin/adaptors.hpp"
@@ -185,20 +186,6 @@ std::vector<SynonymGroup> platform_synonyms(const Options& options,
   return {};
 }
 
-// None where `tools/dependencies words` has not been called.
-std::shared_ptr<const WordVectors>
-platform_vectors(const Options& options, std::vector<Error>& errors) {
-  const auto platform = option(options, "platform");
-  const auto path = platform + "/words.vectors";
-  if (platform.empty() || !is_there(path))
-    return {};
-  auto vectors = WordVectors::read(path);
-  if (vectors)
-    return *vectors;
-  errors.push_back(vectors.error());
-  return {};
-}
-
 // Adds the examples of a file to those of the topics.
 void read_examples(const Options& options,
                    const std::string& application_folder,
@@ -225,7 +212,8 @@ read_platform(const Options& options, const std::string& application_folder) {
   else
     errors.push_back(generic.error());
   read.synonyms = platform_synonyms(options, errors);
-  read.vectors = platform_vectors(options, errors);
+  if (const auto platform = option(options, "platform"); !platform.empty())
+    read.language = language_store().read(platform, errors);
   if (!errors.empty())
     return tl::make_unexpected(std::move(errors));
   return read;

@@ -257,13 +257,6 @@ struct NluEngine::Implementation {
   }
 };
 
-bool NluEngine::Options::operator==(const Options& other) const {
-  return threshold == other.threshold && generic == other.generic &&
-         synonyms == other.synonyms &&
-         (vectors == other.vectors ||
-          (vectors && other.vectors && *vectors == *other.vectors));
-}
-
 NluEngine::NluEngine(std::shared_ptr<const Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
@@ -282,7 +275,7 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
     return tl::make_unexpected(std::move(errors));
   auto learned =
       TrainedModel::train(model.topics, schema, automaton, options.threshold,
-                          {}, std::move(options.vectors));
+                          {}, std::move(options.language));
   if (!learned)
     return tl::make_unexpected(std::vector{learned.error()});
   Likeness likeness(automaton, schema);

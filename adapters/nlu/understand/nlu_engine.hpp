@@ -15,7 +15,7 @@
 #include <tl/expected.hpp>
 
 #include "adapters/nlu/grammar/synonyms.hpp"
-#include "adapters/nlu/learning/word_vectors.hpp"
+#include "adapters/nlu/understand/language_knowledge.hpp"
 #include "adapters/nlu/understand/understood.hpp"
 #include "runtime/message/understanding.hpp"
 
@@ -31,10 +31,9 @@ public:
     // By which words that no grammar has are understood.
     std::vector<SynonymGroup> synonyms = {};
     // By which what is learnt is more than the words of the examples.
-    std::shared_ptr<const WordVectors> vectors = {};
+    LanguageKnowledge language = {};
 
-    // Vectors are the same if their files are.
-    bool operator==(const Options& other) const;
+    bool operator==(const Options& other) const = default;
   };
 
   // Compiles grammars, reads columns and learns examples, which may take

@@ -26,6 +26,13 @@ constexpr std::size_t very_many_texts = 2000;
 constexpr float mostly_known = 0.5F;
 // Words in one text without a topic.
 constexpr std::size_t words_of_nothing = 20;
+// From this probability on, the encoder is not asked.
+constexpr float sure = 0.9F;
+// Beside grammars, examples are few, and many sentences are about nothing that
+// they are about: one is only taken for what it is like. Between these
+// likenesses to the most similar example, probabilities go from 0 to 1.
+constexpr float unlike = 0.45F;
+constexpr float alike = 0.8F;
 // One text in this many is held out for the calibration.
 constexpr std::size_t one_in = 5;
 
@@ -49,6 +56,15 @@ bool is_certain(const Span& span) {
          span.begin == span.core;
 }
 
+// For the encoder.
+std::string text_of(const std::vector<LearningWord>& words) {
+  std::string text;
+  for (const auto& word : words)
+    if (!word.filler)
+      text.append(text.empty() ? "" : " ").append(word.word);
+  return text;
+}
+
 // Whether there are rules that are neither examples nor the platform's.
 bool has_grammars(const Automaton& automaton) {
   return std::ranges::any_of(automaton.rules, [](const RuleInfo& rule) {
@@ -61,9 +77,12 @@ bool has_grammars(const Automaton& automaton) {
 std::vector<LearningWord> TrainedModel::words(const Utterance& utterance,
                                               const Spans& spans) const {
   std::vector<LearningWord> words;
-  for (const auto& token : utterance.tokens.list)
-    words.push_back(
-        {token.word, 0, vectors_ ? vectors_->find(token.word) : WordMeaning()});
+  const auto* vectors = language_.vectors.get();
+  for (std::size_t at = 0; at < utterance.size(); ++at) {
+    const auto& word = utterance.tokens.list[at].word;
+    words.push_back({word, 0, vectors ? vectors->find(word) : WordMeaning(),
+                     utterance.filler[at]});
+  }
   std::vector<const Span*> known;
   for (const auto& span : spans.all())
     if (is_certain(span))
@@ -125,8 +144,8 @@ public:
   }
 
 private:
-  // The classifier is trained on all texts; the calibration is found with a
-  // second one.
+  // The classifiers are trained on all texts; the calibration is found with
+  // further ones.
   Expected<void> learn_topics(double threshold) {
     const auto labels = static_cast<std::uint32_t>(learned_.topics_.size() + 1);
     auto classifier = Classifier::train(texts_, labels, limits_.weights);
@@ -135,12 +154,26 @@ private:
                   "the examples of " + std::to_string(labels - 1) +
                       " topics are too many to be learnt; leave out examples, "
                       "or write one topic for several");
-    learned_.classifier_ = std::move(*classifier);
+    learned_.by_words_.classifier = std::move(*classifier);
+    if (learned_.language_.encoder && texts_.size() <= limits_.sentences)
+      learn_sentences(labels);
     if (texts_.size() >= many_texts)
       settle(labels, threshold);
     // Frees the memory before the tagger needs it.
     texts_ = {};
     return {};
+  }
+
+  void learn_sentences(std::uint32_t labels) {
+    for (std::size_t at = 0; at < texts_.size(); ++at)
+      texts_[at].features.sentence =
+          learned_.language_.encoder->remember(said_[at]);
+    for (const auto& text : texts_)
+      learned_.nearest_.add(text.features.sentence, text.label);
+    auto classifier =
+        Classifier::train(texts_, labels, limits_.weights, Evidence::sentences);
+    if (classifier)
+      learned_.by_sentences_ = {{std::move(*classifier)}};
   }
 
   // A text may only have the slots of its topic.
@@ -175,8 +208,7 @@ private:
     const Read read(marked.text, schema_, automaton_, learned_);
     if (is_negated_order(read.utterance.tokens, read.utterance.negates))
       learned_.negates_.back() = true;
-    texts_.push_back({text_features(read.words),
-                      static_cast<std::uint32_t>(learned_.topics_.size())});
+    add(read.words, static_cast<std::uint32_t>(learned_.topics_.size()));
     features_ += texts_.back().features.features.size();
     const auto topic = learned_.topics_.back();
     if (schema_.at(topic).slots.empty())
@@ -238,13 +270,17 @@ private:
   }
 
   void add_nothing(const std::string& text) {
-    texts_.push_back(
-        {text_features(Read(text, schema_, automaton_, learned_).words),
-         nothing});
+    add(Read(text, schema_, automaton_, learned_).words, nothing);
   }
 
-  // Trains a second classifier without the texts that are held out. Moves the
-  // texts, so that none is in memory twice.
+  void add(const std::vector<LearningWord>& words, std::uint32_t label) {
+    texts_.push_back({text_features(words), label});
+    if (learned_.language_.encoder)
+      said_.push_back(text_of(words));
+  }
+
+  // Trains classifiers without the texts that are held out. Moves the texts, so
+  // that none is in memory twice.
   void settle(std::uint32_t labels, double threshold) {
     std::vector<LabelledText> learnt;
     std::vector<LabelledText> others;
@@ -253,11 +289,16 @@ private:
           held_out(text.features.features) && text.label != nothing;
       (out ? others : learnt).push_back(std::move(text));
     }
-    const auto trial = Classifier::train(learnt, labels);
-    std::vector<HeldOutText> read;
-    for (const auto& text : others)
-      read.push_back({trial->read(text.features), text.label});
-    learned_.certainty_ = Certainty(read, threshold);
+    const auto certainty = [&](Evidence evidence) {
+      const auto trial = Classifier::train(learnt, labels, no_limit, evidence);
+      std::vector<HeldOutText> read;
+      for (const auto& text : others)
+        read.push_back({trial->read(text.features), text.label});
+      return Certainty(read, threshold);
+    };
+    learned_.by_words_.certainty = certainty(Evidence::words);
+    if (learned_.by_sentences_)
+      learned_.by_sentences_->certainty = certainty(Evidence::sentences);
     learned_.least_known_ = 0;
     if (learnt.size() + others.size() >= very_many_texts)
       learned_.mostly_known_ = 0;
@@ -269,6 +310,8 @@ private:
   const LearningLimits limits_;
   std::size_t features_ = 0; // of all examples so far
   std::vector<LabelledText> texts_;
+  // What the texts are, for the encoder.
+  std::vector<std::string> said_;
   std::vector<TaggedText> tagged_;
   std::vector<TopicNumber> tagged_topics_;
 };
@@ -276,9 +319,9 @@ private:
 Expected<TrainedModel>
 TrainedModel::train(const std::vector<TopicModel>& topics, const Schema& schema,
                     const Automaton& automaton, double threshold,
-                    LearningLimits limits, Vectors vectors) {
+                    LearningLimits limits, LanguageKnowledge language) {
   TrainedModel learned;
-  learned.vectors_ = std::move(vectors);
+  learned.language_ = std::move(language);
   learned.beside_grammars_ = has_grammars(automaton);
   if (learned.beside_grammars_)
     learned.mostly_known_ = mostly_known;
@@ -291,13 +334,36 @@ TrainedModel::train(const std::vector<TopicModel>& topics, const Schema& schema,
   return learned;
 }
 
+// The encoder is slow, so it is asked only if the words leave something open.
+// It also tells that a sentence is about something else in the same words.
+std::vector<float>
+TrainedModel::probabilities(const TextReading& reading,
+                            const std::vector<LearningWord>& words,
+                            TextFeatures features) const {
+  auto made = by_words_.certainty.probabilities(reading);
+  if (!by_sentences_ || *std::ranges::max_element(made) >= sure)
+    return made;
+  features.sentence = language_.encoder->encode(text_of(words));
+  made = by_sentences_->certainty.probabilities(
+      by_sentences_->classifier.read(features));
+  if (!beside_grammars_)
+    return made;
+  const auto likeness = nearest_.find(features.sentence, made.size());
+  for (std::size_t at = 0; at < made.size(); ++at)
+    made[at] = std::min(
+        made[at], std::max(0.0F, (likeness[at] - unlike) / (alike - unlike)));
+  return made;
+}
+
 std::vector<TopicHypothesis>
 TrainedModel::topics(const std::vector<LearningWord>& words) const {
-  const auto reading = classifier_.read(text_features(words));
+  auto features = text_features(words);
+  const auto reading = by_words_.classifier.read(features);
   if (reading.known < least_known_)
     return {};
   const bool is_mostly_new = reading.known < mostly_known_;
-  const auto probabilities = certainty_.probabilities(reading);
+  const auto probabilities =
+      this->probabilities(reading, words, std::move(features));
   std::vector<TopicHypothesis> made;
   for (std::size_t at = 0; at < topics_.size(); ++at)
     if (!is_mostly_new || takes_any_words_[at])

@@ -4,14 +4,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "adapters/nlu/encoder/nearest_sentences.hpp"
 #include "adapters/nlu/grammar/utterance.hpp"
 #include "adapters/nlu/learning/certainty.hpp"
 #include "adapters/nlu/learning/classifier.hpp"
 #include "adapters/nlu/learning/tagger.hpp"
 #include "adapters/nlu/parse/spans.hpp"
+#include "adapters/nlu/understand/language_knowledge.hpp"
 #include "adapters/nlu/values/schema.hpp"
 
 namespace parlour::adapters::nlu {
@@ -39,22 +42,22 @@ struct LearningLimits {
   // The weights of the classifier, and those of the tagger; each takes four
   // bytes.
   std::size_t weights = 16 << 20;
+  // Examples that the encoder reads, at some milliseconds each. Of more, the
+  // words alone tell enough.
+  std::size_t sentences = 2000;
 };
 
 // Immutable; any number of threads may use it.
 class TrainedModel {
 public:
-  using Vectors = std::shared_ptr<const WordVectors>;
-
   // Trains classifier and tagger. Examples whose marks do not fit are left out.
   // With many examples, probabilities are calibrated by texts that are held
   // out, so that those which are told right reach `threshold`. The error, of
-  // kind Limit, says what there is too much of. With vectors, other words that
-  // mean the same are understood.
+  // kind Limit, says what there is too much of.
   static Expected<TrainedModel>
   train(const std::vector<TopicModel>& topics, const Schema& schema,
         const Automaton& automaton, double threshold,
-        LearningLimits limits = {}, Vectors vectors = {});
+        LearningLimits limits = {}, LanguageKnowledge language = {});
 
   // The words of an utterance as the model sees them: those of a known value
   // have its kind. They refer to the utterance and the model.
@@ -86,6 +89,16 @@ public:
 private:
   friend class Trainer;
 
+  // A classifier, and how sure what it says is.
+  struct TopicReader {
+    Classifier classifier;
+    Certainty certainty = {};
+  };
+
+  std::vector<float> probabilities(const TextReading& reading,
+                                   const std::vector<LearningWord>& words,
+                                   TextFeatures features) const;
+
   // The topic of each label from 1 on; label 0 means no topic.
   std::vector<TopicNumber> topics_;
   // By label - 1: whether examples are negated orders.
@@ -95,10 +108,12 @@ private:
   std::vector<std::string> slots_;
   // By topic: its slots, as numbers of the tagger.
   std::vector<std::vector<std::uint32_t>> slots_of_;
-  Vectors vectors_; // may be none
-  Classifier classifier_;
+  LanguageKnowledge language_;
+  TopicReader by_words_;
+  // None without an encoder.
+  std::optional<TopicReader> by_sentences_;
+  NearestSentences nearest_;
   Tagger tagger_;
-  Certainty certainty_;
   // The least share of an utterance that examples must have, if there are too
   // few of them for more. A few letters in common ("foo" and "for") stay below
   // it; another form of a word ("renting" for "rent") is above.

@@ -86,6 +86,29 @@ TEST(Classifier, TellsOtherWordsByWhatTheyMean) {
             classifier.read(text({"cab"})).scores[0]);
 }
 
+TEST(Classifier, TellsOtherWordsByWhatTheSentenceMeans) {
+  const auto text = [](std::initializer_list<std::string_view> words,
+                       std::vector<float> sentence) {
+    auto made = features(words);
+    made.sentence = std::move(sentence);
+    return made;
+  };
+  const std::vector<LabelledText> examples{
+      {text({"a", "taxi"}, {0.8F, 0.6F}), 0},
+      {text({"the", "bank"}, {0.6F, -0.8F}), 1}};
+  const auto by_sentences =
+      *Classifier::train(examples, 2, no_limit, Evidence::sentences);
+  const auto other = text({"cab"}, {0.7F, 0.7F});
+  EXPECT_GT(by_sentences.read(other).scores[0], 0);
+  EXPECT_LT(by_sentences.read(other).scores[1], 0);
+  // Without one, the words alone speak.
+  EXPECT_LT(by_sentences.read(features({"cab"})).scores[0],
+            by_sentences.read(other).scores[0]);
+  const auto by_words = *Classifier::train(examples, 2);
+  EXPECT_EQ(by_words.read(other).scores,
+            by_words.read(features({"cab"})).scores);
+}
+
 TEST(Classifier, KeepsToItsWeights) {
   EXPECT_FALSE(Classifier::train(texts(), 3, 100));
   EXPECT_TRUE(Classifier::train(texts(), 3, 1000));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "adapters/nlu/understand/trained_model.hpp"
+#include "tests/adapters/nlu/encoder/small_encoder.hpp"
 #include "tests/adapters/nlu/stages.hpp"
 
 namespace parlour::adapters::nlu::test {
@@ -87,6 +88,29 @@ TEST(TrainedModel, MostWordsAreKnownBesideGrammars) {
   };
   EXPECT_TRUE(knows(""));
   EXPECT_FALSE(knows("public <x> = hello;"));
+}
+
+// "cab" stands in no example, and means what "taxi" does.
+TEST(TrainedModel, AsksTheEncoderWhereWordsLeaveItUnsure) {
+  const auto probability = [](std::shared_ptr<const SentenceEncoder> encoder,
+                              std::size_t sentences) {
+    Stages stages("", "i need a cab");
+    auto topics = sample_model().topics;
+    topics[0].examples = {"i bank here"};
+    topics[1].examples = {"a bank"};
+    topics[2].examples = {"i need a taxi", "a taxi"};
+    const auto learned = *TrainedModel::train(
+        topics, stages.schema, stages.automaton, 0.4, {.sentences = sentences},
+        {.encoder = std::move(encoder)});
+    const auto read =
+        learned.topics(learned.words(stages.utterance, stages.spans));
+    EXPECT_EQ(stages.schema.at(read.front().topic).name, topics[2].name);
+    return read.front().probability;
+  };
+  const auto by_words = probability({}, 100);
+  EXPECT_GT(probability(small::small_encoder(), 100), by_words);
+  // Too many examples for it.
+  EXPECT_EQ(probability(small::small_encoder(), 3), by_words);
 }
 
 TEST(TrainedModel, SaysWhatIsTooMuchToLearn) {

@@ -68,12 +68,20 @@ struct Accept {
   float weight = 0;
 };
 
+// One of 64 bits for each word, by which a set of words is known not to have
+// one.
+constexpr std::uint64_t word_bit(WordNumber word) {
+  return std::uint64_t{1} << ((word * 0x9e3779b97f4a7c15) >> 58);
+}
+
 // The arcs of words are sorted by word, for binary search. The arcs of entities
 // keep the order of the grammar; of equally good ones the first wins.
 struct State {
   std::vector<Arc> words;
   std::vector<Arc> entities;
   std::vector<Accept> accepts;
+  // The bits of the words.
+  std::uint64_t word_bits = 0;
 };
 
 struct RuleInfo {

@@ -83,6 +83,8 @@ void AutomatonBuilder::fill_state(NodeId node) {
     }
   }
   std::ranges::stable_sort(state.words, {}, &Arc::symbol);
+  for (const auto& arc : state.words)
+    state.word_bits |= word_bit(arc.symbol);
   arcs_ += state.words.size() + state.entities.size();
   if (arcs_ > max_arcs && !std::exchange(too_large_, true))
     error({}, "the grammars are too large together: more than " +

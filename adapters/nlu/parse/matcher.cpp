@@ -45,6 +45,8 @@ Matcher::Matcher(const Automaton& automaton, const Utterance& utterance,
       found_(utterance.size() + 1) {
   for (auto& items : items_)
     items.reserve(usual_items);
+  for (std::size_t at = 0; at < utterance.size(); ++at)
+    ahead_.push_back(bits_ahead(at));
   traces_.reserve(usual_items * utterance.size());
   // Entry 0 means the end of a list.
   traces_.emplace_back();
@@ -118,7 +120,31 @@ void Matcher::skip(std::size_t position, const Item& item) {
   else
     next.score -= utterance_.function[position] ? 0.25F : 0.6F;
   next.score -= break_cost(utterance_.tokens.list[position].before);
-  items_[position + 1].push_back(next);
+  if (may_go_on(next.state, position + 1))
+    items_[position + 1].push_back(next);
+}
+
+std::uint64_t Matcher::bits_ahead(std::size_t position) const {
+  std::uint64_t bits = 0;
+  for (int skipped = 0; position < utterance_.size(); ++position) {
+    if (const auto word = utterance_.words[position]; word != unknown_word)
+      bits |= word_bit(word);
+    if (const auto* synonyms = utterance_.synonyms[position])
+      for (const auto word : *synonyms)
+        bits |= word_bit(word);
+    if (utterance_.negates[position] ||
+        (!utterance_.filler[position] && ++skipped > max_skipped))
+      break;
+  }
+  return bits;
+}
+
+// Whether a word or value that the state takes may still come. Most partial
+// matches end here, which saves their being carried on.
+bool Matcher::may_go_on(std::uint32_t number, std::size_t position) const {
+  const auto& state = automaton_.states[number];
+  return position < utterance_.size() &&
+         (!state.entities.empty() || (state.word_bits & ahead_[position]) != 0);
 }
 
 // A synonym is worth a little less than the word that the rule has.
@@ -136,7 +162,10 @@ void Matcher::take_word(std::size_t position, const Item& item) {
 void Matcher::follow_word(std::size_t position, const Item& item,
                           WordNumber word, float cost) {
   const auto here = static_cast<std::uint32_t>(position);
-  for (const auto& arc : arcs_of(automaton_.states[item.state].words, word)) {
+  const auto& state = automaton_.states[item.state];
+  if ((state.word_bits & word_bit(word)) == 0)
+    return;
+  for (const auto& arc : arcs_of(state.words, word)) {
     ++work_;
     auto next = item;
     next.trace = follow(item.trace, arc.actions, here, item.last);
@@ -212,13 +241,10 @@ void Matcher::take_span(const Item& item, const Arc& arc, std::uint32_t index,
   reach(next, span.end);
 }
 
-// Nothing goes on from a state without arcs.
 void Matcher::reach(const Item& item, std::size_t position) {
-  const auto& state = automaton_.states[item.state];
-  for (const auto& accepted : state.accepts)
+  for (const auto& accepted : automaton_.states[item.state].accepts)
     accept(item, accepted);
-  if (position < utterance_.size() &&
-      !(state.words.empty() && state.entities.empty()))
+  if (may_go_on(item.state, position))
     items_[position].push_back(item);
 }
 

@@ -100,6 +100,8 @@ private:
   void take_span(const Item& item, const Arc& arc, std::uint32_t index,
                  bool expected);
   void reach(const Item& item, std::size_t position);
+  std::uint64_t bits_ahead(std::size_t position) const;
+  bool may_go_on(std::uint32_t state, std::size_t position) const;
   void accept(const Item& item, const Accept& accept);
   bool is_tried(const RuleInfo& rule) const;
   // Records the actions of an arc.
@@ -112,6 +114,9 @@ private:
   Spans& spans_;
   EntityId asked_;
   std::string grammar_;
+  // By token: the bits of all words from there on that can be taken before too
+  // many are skipped.
+  std::vector<std::uint64_t> ahead_;
   // By the token that comes next.
   std::vector<std::vector<Item>> items_;
   // By end.

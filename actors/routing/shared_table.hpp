@@ -5,6 +5,8 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <thread>
+#include <utility>
 
 #include "actors/routing/routing_table.hpp"
 
@@ -29,12 +31,12 @@ public:
   void store(const Pointer& what) {
     for (auto& copy : copies_) {
       const auto holder = std::make_shared<const Holder>(Holder{what});
-      copy.what.store(Pointer(holder, holder->what.get()));
+      copy.exchange(Pointer(holder, holder->what.get()));
     }
   }
   // Null before the first one.
   Pointer load() const {
-    return copies_[number_of_thread() % copies_.size()].what.load();
+    return copies_[number_of_thread() % copies_.size()].load();
   }
 
 private:
@@ -42,8 +44,41 @@ private:
   struct alignas(cache_line) Holder {
     Pointer what;
   };
-  struct alignas(cache_line) Copy {
-    std::atomic<Pointer> what;
+  // In place of std::atomic<Pointer>: when that of g++ 12 has been read, its
+  // lock is released with memory_order_relaxed, so that a processor may finish
+  // reading after somebody has stored the next one.
+  class alignas(cache_line) Copy {
+  public:
+    Pointer load() const {
+      const Locked locked(is_locked_);
+      return what_;
+    }
+    // The one before, which is given up when nobody waits for it any more.
+    Pointer exchange(Pointer what) {
+      const Locked locked(is_locked_);
+      return std::exchange(what_, std::move(what));
+    }
+
+  private:
+    // Others wait for one copied pointer: shorter than a mutex takes.
+    class Locked {
+    public:
+      explicit Locked(std::atomic_flag& flag) : flag_(flag) {
+        while (flag_.test_and_set(std::memory_order_acquire))
+          std::this_thread::yield();
+      }
+      Locked(const Locked&) = delete;
+      Locked& operator=(const Locked&) = delete;
+      ~Locked() {
+        flag_.clear(std::memory_order_release);
+      }
+
+    private:
+      std::atomic_flag& flag_;
+    };
+
+    mutable std::atomic_flag is_locked_;
+    Pointer what_;
   };
   // More threads than that share copies, which is slower and nothing else.
   std::array<Copy, 16> copies_;

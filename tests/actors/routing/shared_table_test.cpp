@@ -28,6 +28,25 @@ TEST(SharedTable, ShowsTheLastOneToEveryThread) {
   EXPECT_EQ(shared.load(), nullptr);
 }
 
+TEST(SharedTable, ShowsEachThreadOneAfterTheOtherWhileTheyAreStored) {
+  SharedByThreads<int> shared;
+  shared.store(std::make_shared<const int>(0));
+  constexpr int last = 1000;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] {
+      for (int seen = 0; seen < last;) {
+        const auto now = *shared.load();
+        ASSERT_GE(now, seen);
+        seen = now;
+      }
+    });
+  for (int i = 1; i <= last; ++i)
+    shared.store(std::make_shared<const int>(i));
+  for (auto& thread : threads)
+    thread.join();
+}
+
 TEST(SharedTable, KeepsOneForWhoUsesItAndNoLonger) {
   SharedTable shared;
   auto table = some_table();

@@ -170,8 +170,10 @@ void JournalFolder::run() {
     const auto batch = std::exchange(waiting_, {});
     const auto until = appended_;
     const auto number = current_->number;
-    // What comes from now on stands in the next part.
-    if (part_->size() + batch.size() >= options_.part_bytes)
+    // What comes from now on stands in the next part. The batch may be the
+    // first of its own, which is begun when it is written.
+    const auto before = number == part_number_ ? part_->size() : 0;
+    if (before + batch.size() >= options_.part_bytes)
       current_ = std::make_shared<const Part>(Part{number + 1});
     lock.unlock();
     const auto begun = std::chrono::steady_clock::now();

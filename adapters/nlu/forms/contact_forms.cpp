@@ -50,6 +50,25 @@ std::string next_digits(FormReader& reader) {
   return {};
 }
 
+std::size_t count_of(std::string_view number) {
+  return number.size() - (number.starts_with('+') ? 1 : 0);
+}
+
+// Appends digits as long as the number may grow; a "+" only at its beginning.
+std::string all_digits(FormReader& reader) {
+  std::string number;
+  while (true) {
+    const auto start = reader.position();
+    const auto digits = next_digits(reader);
+    if (digits.empty() || count_of(number + digits) > max_digits ||
+        (digits[0] == '+' && !number.empty())) {
+      reader.go_back(start);
+      return number;
+    }
+    number += digits;
+  }
+}
+
 // Reads "comptec dot com"; empty if a dot is needed and missing.
 std::string dotted(FormReader& reader, bool need_dot) {
   std::string text(reader.word());
@@ -68,24 +87,11 @@ std::string dotted(FormReader& reader, bool need_dot) {
 
 } // namespace
 
-// Appends digits as long as the number may grow; a "+" only at its beginning.
 std::optional<FormAt> phone_form(FormReader reader, Now) {
-  std::string number;
-  const auto count_of = [](const std::string& text) {
-    return text.size() - (text.starts_with('+') ? 1 : 0);
-  };
-  while (true) {
-    const auto start = reader.position();
-    const auto digits = next_digits(reader);
-    if (digits.empty() || count_of(number + digits) > max_digits ||
-        (digits[0] == '+' && !number.empty())) {
-      reader.go_back(start);
-      break;
-    }
-    number += digits;
-  }
+  auto number = all_digits(reader);
+  repair_digits(reader, number, [&] { return all_digits(reader); });
   const auto count = count_of(number);
-  if (number.empty() || count < fewest_digits)
+  if (number.empty() || count < fewest_digits || count > max_digits)
     return {};
   return reader.form(number, count < whole_number);
 }

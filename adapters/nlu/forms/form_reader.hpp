@@ -9,8 +9,10 @@
 //      return reader.form(date_text(today + days(number->value)));
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "adapters/nlu/forms/normal_forms.hpp"
@@ -114,6 +116,25 @@ private:
   std::size_t begin_;
   std::size_t at_;
 };
+
+// Advances past "no", "sorry, no" or "I mean" and says whether it was there.
+bool skip_repair(FormReader& reader);
+
+// Reads what is said again behind such words: digits stand for as many before
+// them, or for all if there are more. `next` reads digits, empty for none.
+template <class Next>
+void repair_digits(FormReader& reader, std::string& digits, Next next) {
+  auto start = reader.position();
+  while (!digits.empty() && skip_repair(reader)) {
+    const std::string again = next();
+    if (again.empty())
+      break;
+    digits.resize(digits.size() - std::min(digits.size(), again.size()));
+    digits += again;
+    start = reader.position();
+  }
+  reader.go_back(start);
+}
 
 // Reads "double" or "triple" before a digit. Returns 1 if there is neither.
 std::size_t repeats(FormReader& reader);

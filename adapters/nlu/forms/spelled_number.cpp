@@ -41,6 +41,13 @@ Spelled one_by_one(FormReader& reader) {
   return made;
 }
 
+// "two oh six eight seven, no, eight eight"
+Spelled with_repairs(FormReader& reader) {
+  auto made = one_by_one(reader);
+  repair_digits(reader, made.digits, [&] { return one_by_one(reader).digits; });
+  return made;
+}
+
 // Whether the number goes on in a way that makes it an ordinary one, whose
 // words add up: "five hundred", "forty seven point two".
 bool goes_on(FormReader& reader) {
@@ -53,6 +60,14 @@ bool goes_on(FormReader& reader) {
 }
 
 } // namespace
+
+bool skip_repair(FormReader& reader) {
+  const bool denies = reader.skip("no");
+  const bool excuses = reader.skip("sorry");
+  const bool means = reader.skip_all({"i", "mean"}) ||
+                     reader.skip_all({"i", "meant"}) || reader.skip("rather");
+  return denies || excuses || means;
+}
 
 std::size_t repeats(FormReader& reader) {
   if (reader.skip("double"))
@@ -69,7 +84,7 @@ std::int64_t two_digits(FormReader& reader) {
 
 std::optional<std::int64_t> spelled_number(FormReader& reader) {
   const auto start = reader.position();
-  const auto spelled = one_by_one(reader);
+  const auto spelled = with_repairs(reader);
   const bool is_all = start == 0 && reader.word().empty();
   // "nine one" alone is spelt; within a sentence at least three digits are
   // needed.

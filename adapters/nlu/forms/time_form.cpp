@@ -293,6 +293,22 @@ std::optional<FormAt> time_from_now(FormReader reader, Now now) {
   return reader.form(clock_text(current + seconds / 60));
 }
 
+// Reads "an hour later" or "half an hour earlier": a difference with its sign,
+// which the dialogue adds to the time that it knows.
+std::optional<FormAt> shifted_time(FormReader reader, Now now) {
+  const auto span = duration_form(reader, now);
+  if (!span)
+    return {};
+  reader.advance(span->length - reader.length());
+  const bool later = reader.skip("later");
+  if (!later && !reader.skip_any({"earlier", "sooner"}))
+    return {};
+  const auto minutes = span->value.integer_or(0) / 60;
+  if (minutes < 1 || minutes >= 1440)
+    return {};
+  return reader.form((later ? "+" : "-") + clock_text(minutes));
+}
+
 } // namespace
 
 std::optional<FormAt> time_form(FormReader reader, Now now) {
@@ -308,6 +324,7 @@ std::optional<FormAt> time_form(FormReader reader, Now now) {
   keep(relative_time(reader));
   keep(named_time(reader));
   keep(time_from_now(reader, now));
+  keep(shifted_time(reader, now));
   return best;
 }
 

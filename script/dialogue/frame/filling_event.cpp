@@ -5,6 +5,7 @@
 
 #include "script/dialogue/frame/grounding.hpp"
 #include "script/dialogue/frame/matching.hpp"
+#include "script/dialogue/frame/shifted_time.hpp"
 
 namespace parlour::dialogue {
 
@@ -195,6 +196,12 @@ void FillingEvent::match_offer(SlotId id, const FrameChange& change) {
     report(id, SlotOutcome::rejected).offered = said(change);
     return;
   }
+  if (definition.cardinality.type == "time")
+    if (const auto time = shifted_time(slot.value, change.value);
+        !time.is_unknown()) {
+      put_value(id, change, time);
+      return;
+    }
   auto matched =
       slot.status == SlotStatus::ambiguous
           ? match_choice(definition, change, slot.candidates, cardinalities())

@@ -61,6 +61,13 @@ FrameChange words(SlotId slot, std::string text) {
   return change;
 }
 
+TEST_F(Filling, ADifferenceMovesTheTimeThatIsThere) {
+  change({fill(start, "15:00")});
+  EXPECT_EQ(ordered(change({fill(start, "-00:30")})), (List{"corrected"}));
+  EXPECT_EQ(slot(start).value, Value("14:30"));
+  EXPECT_EQ(ordered(change({fill(end, "+01:00")})), (List{"refused"}));
+}
+
 TEST_F(Filling, AValueIsAccepted) {
   auto result = change({fill(name, "David")});
   ASSERT_EQ(ordered(result), (List{"accepted"}));

@@ -1,0 +1,33 @@
+#include "script/dialogue/frame/shifted_time.hpp"
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include <re2/re2.h>
+
+namespace parlour::dialogue {
+
+namespace {
+
+constexpr int minutes_of_day = 24 * 60;
+
+} // namespace
+
+Value shifted_time(const Value& time, const Value& said) {
+  static const RE2 clock(R"((\d{2}):(\d{2}))");
+  static const RE2 difference(R"(([+-])(\d{2}):(\d{2}))");
+  int hour = 0, minute = 0, hours = 0, minutes = 0;
+  std::string sign;
+  if (!said.if_string() || !time.if_string() ||
+      !RE2::FullMatch(*said.if_string(), difference, &sign, &hours, &minutes) ||
+      !RE2::FullMatch(*time.if_string(), clock, &hour, &minute))
+    return {};
+  const int by = (hours * 60 + minutes) * (sign == "-" ? -1 : 1);
+  const int moved = (hour * 60 + minute + by + minutes_of_day) % minutes_of_day;
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "%02d:%02d", moved / 60, moved % 60);
+  return text.data();
+}
+
+} // namespace parlour::dialogue

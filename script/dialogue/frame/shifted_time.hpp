@@ -1,0 +1,13 @@
+// "An hour later" than the time that a slot has: a difference, as the form
+// `time` of the understanding writes it.
+#pragma once
+
+#include "runtime/base/value.hpp"
+
+namespace parlour::dialogue {
+
+// The time "15:30" moved by "+01:00" or "-00:30", within the day. Unknown if
+// `said` is no such difference, or if there is no time to move.
+Value shifted_time(const Value& time, const Value& said);
+
+} // namespace parlour::dialogue

@@ -39,17 +39,19 @@ void TopicActs::take(steps::TopicAct&& step) {
     return;
   }
   clarification_.complete_by_answer(step);
-  prefer_resting_topic(step);
+  prefer_reading(step);
   if (!take_about_conversation(step))
     find_topic(std::move(step));
 }
 
 // "How about food court?", after an enquiry about coffee shops.
-void TopicActs::prefer_resting_topic(steps::TopicAct& step) const {
-  if (!step.act->elliptical || step.act->alternatives.empty())
+void TopicActs::prefer_reading(steps::TopicAct& step) const {
+  if (step.act->alternatives.empty())
     return;
   auto act = *step.act;
-  prefer_resting(*context_.program, act, whereabouts_.classifier_context());
+  if (act.elliptical)
+    prefer_resting(*context_.program, act, whereabouts_.classifier_context());
+  prefer_known(act);
   step.act = std::make_shared<const Act>(std::move(act));
 }
 

@@ -42,9 +42,9 @@ public:
   void take(steps::TopicAct&& step);
 
 private:
-  // Replaces the act by its reading for the enquiry that rests, where that is
-  // near enough (engine rule 5.3).
-  void prefer_resting_topic(steps::TopicAct& step) const;
+  // Replaces the act by its reading for the enquiry that rests, or by one with
+  // values that are known, where that is near enough (engine rule 5.3).
+  void prefer_reading(steps::TopicAct& step) const;
   // Whether the act is about the conversation, or about what is done; then it
   // is dealt with.
   bool take_about_conversation(const steps::TopicAct& step);

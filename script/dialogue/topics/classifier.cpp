@@ -82,6 +82,12 @@ TopicId without_slots(const script::Program& program, const Act& act,
   return script::no_id;
 }
 
+// Values that nobody knows, and nothing else.
+bool is_in_vain(const Act& act) {
+  return !act.slots.empty() &&
+         std::ranges::all_of(act.slots, &SlotValue::unmatched);
+}
+
 } // namespace
 
 TopicId classify(const script::Program& program, const Act& act,
@@ -109,6 +115,24 @@ void prefer_resting(const script::Program& program, Act& act,
       act = std::move(chosen);
       return;
     }
+}
+
+void prefer_known(Act& act) {
+  auto& others = act.alternatives;
+  const auto known = !is_in_vain(act)
+                         ? others.end()
+                         : std::ranges::find_if(others, [&](const Act& other) {
+                             return !is_in_vain(other) && is_near(act, other);
+                           });
+  if (known != others.end()) {
+    auto chosen = *known;
+    chosen.text = act.text;
+    others.erase(known);
+    chosen.alternatives = std::move(others);
+    act = std::move(chosen);
+  }
+  if (!is_in_vain(act))
+    std::erase_if(act.alternatives, is_in_vain);
 }
 
 std::vector<TopicId> clarify(const script::Program& program, const Act& act,

@@ -40,6 +40,11 @@ TopicId classify(const script::Program& program, const Act& act,
 void prefer_resting(const script::Program& program, Act& act,
                     const ClassifierContext& context);
 
+// A reading that has only values which nobody knows does not stand beside one
+// within 0.1 that has others: "when is it coming back?" asks for no book called
+// "coming" (engine rule 5.3, step 6).
+void prefer_known(Act& act);
+
 // The topics to clarify between, best first: the act's and those of its
 // alternatives that are within 0.1 of the best; empty where only one is, where
 // the act has no confidence to compare with, and for an elliptical act about

@@ -33,6 +33,33 @@ TEST_F(Classifier, TheNamedTopicStands) {
   EXPECT_EQ(of(act({"Time"}, "Taxi")), app.taxi);
 }
 
+TEST_F(Classifier, AReadingOfUnknownValuesDoesNotStandBesideAnother) {
+  auto known = act({"Time"}, "Taxi");
+  known.confidence = 0.7;
+  auto vain = act({"Host"}, "Appointment");
+  vain.confidence = 0.75;
+  vain.slots[0].unmatched = true;
+  auto said = known;
+  said.alternatives = {vain};
+  prefer_known(said);
+  EXPECT_EQ(said.topic, "Taxi");
+  EXPECT_TRUE(said.alternatives.empty());
+  said = vain;
+  said.text = "at three";
+  said.alternatives = {known, vain};
+  prefer_known(said);
+  EXPECT_EQ(said.topic, "Taxi");
+  EXPECT_EQ(said.text, "at three");
+  EXPECT_TRUE(said.alternatives.empty());
+  // Nothing else is near.
+  known.confidence = 0.6;
+  said = vain;
+  said.alternatives = {known};
+  prefer_known(said);
+  EXPECT_EQ(said.topic, "Appointment");
+  EXPECT_EQ(said.alternatives.size(), 1U);
+}
+
 TEST_F(Classifier, AnUnknownOrUnregisteredNameIsNoName) {
   context.current = app.appointment;
   EXPECT_EQ(of(act({"Time"}, "Weather")), app.appointment);

@@ -3,6 +3,7 @@
 #include "adapters/nlu/grammar/utterance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "adapters/nlu/forms/calendar.hpp"
@@ -77,6 +78,29 @@ bool is_noise(const std::vector<Token>& list, std::size_t at) {
           weekday_of(*next) || month_of(*next) != 0);
 }
 
+// What people say to win time in the middle of a sentence.
+constexpr std::array<std::string_view, 12> pauses{
+    "let me think",        "let me see",         "let me check",
+    "how do you say",      "how do you call it", "how shall i put it",
+    "what do you call it", "what is it called",  "what was it",
+    "what was it called",  "what is the name",   "what was the name"};
+
+// How many words of such a pause stand between commas: "I am here for, let me
+// think, Dr. Ho". 0: none. At the beginning or end it may be all that is meant.
+std::size_t pause_at(const std::vector<Token>& list, std::size_t at) {
+  if (at == 0 || list[at].before != Break::comma)
+    return 0;
+  for (const auto pause : pauses) {
+    std::string said;
+    auto end = at;
+    for (; end < list.size() && said.size() < pause.size(); ++end)
+      said += (said.empty() ? "" : " ") + list[end].word;
+    if (said == pause && end < list.size() && list[end].before == Break::comma)
+      return end - at;
+  }
+  return 0;
+}
+
 // Whether the `count` words from `at` are said again right behind.
 bool is_said_again(const std::vector<Token>& list, std::size_t at,
                    std::size_t count) {
@@ -100,11 +124,11 @@ bool is_restart(const std::vector<Token>& list, std::size_t at,
          is_function_word(word) || automaton.word(word) != unknown_word;
 }
 
-// Quickly, whether there may be any noise: a hesitation, "ah", or a word that
-// comes again soon.
+// Quickly, whether there may be any noise: a hesitation, a pause, or a word
+// that comes again soon.
 bool has_noise(const std::vector<Token>& list) {
   for (std::size_t at = 0; at < list.size(); ++at) {
-    if (is_noise(list, at))
+    if (is_noise(list, at) || pause_at(list, at) > 0)
       return true;
     for (std::size_t ahead = 1; ahead <= 3 && at + ahead < list.size(); ++ahead)
       if (list[at].word == list[at + ahead].word)
@@ -125,6 +149,10 @@ void remove_noise(Tokens& tokens, const Automaton& automaton) {
   auto before = Break::none;
   for (std::size_t at = 0; at < list.size(); ++at) {
     before = std::max(before, list[at].before);
+    if (const auto pause = pause_at(list, at); pause > 0) {
+      at += pause - 1;
+      continue;
+    }
     if (is_noise(list, at))
       continue;
     kept.push_back(list[at]);

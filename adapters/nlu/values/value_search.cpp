@@ -25,6 +25,8 @@ constexpr double min_of_people = 0.7;
 constexpr double stranger_cost = 0.5;
 // A single word of a longer name must be more like it: "market" is no author.
 constexpr double single_word = 0.95;
+// So must a single word of any other longer value: "giving" is no living room.
+constexpr double single_part = 0.87;
 // Two words written as one must be nearly correct: "jeffery" is not
 // "jefferyho".
 constexpr double joined_similarity = 0.9;
@@ -343,15 +345,20 @@ double ValueSearch::confidence(const Partial& partial, std::size_t begin,
   }
   if (whole(partial))
     return mean;
+  if (partial.count == 1 && mean < single_part)
+    return 0;
   return mean * mean * (0.9 + 0.1 * recall(partial)) * used /
          (used + double(strangers(begin, end, set)));
 }
 
 // "to" is no "Journey to the Centre of the Earth", nor "three" the musketeers.
+// In "and chips", "and" leads in, and is no part of "fish and chips".
 bool ValueSearch::is_plain_part(const Partial& partial, std::size_t begin,
                                 std::size_t end) const {
   if (whole(partial) || of_people(partial))
     return false;
+  if (is_function_word(tokens_.list[begin].word))
+    return true;
   for (auto at = begin; at < end; ++at)
     if (const auto& word = tokens_.list[at].word;
         !is_function_word(word) && !is_light(word) && !is_number_word(word))

@@ -38,6 +38,23 @@ TEST(Utterance, KnowsTheKindsOfWords) {
     EXPECT_EQ(kinds(text, automaton), expected) << text;
 }
 
+TEST(Utterance, LeavesOutWhatWinsTimeWithinASentence) {
+  const auto words = [](const char* text) {
+    std::string made;
+    for (const auto& token : make_utterance(text, Automaton()).tokens.list)
+      made += (made.empty() ? "" : " ") + token.word;
+    return made;
+  };
+  EXPECT_EQ(words("I am here for, let me think, Dr. Ho"),
+            "i am here for dr ho");
+  EXPECT_EQ(words("the, what is it called, sky garden"), "the sky garden");
+  // That may be all that is meant.
+  EXPECT_EQ(words("let me think, Dr. Ho"), "let me think dr ho");
+  EXPECT_EQ(words("Dr. Ho, let me think"), "dr ho let me think");
+  EXPECT_EQ(words("Dr. Ho, let me think about it"),
+            "dr ho let me think about it");
+}
+
 TEST(Utterance, CountsNoWordsThatMeanNothing) {
   Automaton automaton;
   automaton.vocabulary = {{"toilet", 7}};

@@ -39,6 +39,19 @@ TEST_F(ValueSearchTest, FindsWholeValues) {
   EXPECT_TRUE(match.stands_alone);
 }
 
+TEST_F(ValueSearchTest, TakesNoWordThatLeadsInForAPartOfAValue) {
+  index.add({"fish and chips"});
+  EXPECT_EQ(best("and chips").begin, 1U);
+  EXPECT_EQ(best("fish and chips").begin, 0U);
+}
+
+TEST_F(ValueSearchTest, TakesNoWordLikeOneForAPartOfAValue) {
+  index.add({"living room"});
+  EXPECT_GT(best("living").confidence, 0.8);
+  EXPECT_GT(best("livving room").confidence, 0.8);
+  EXPECT_EQ(best("giving").confidence, 0);
+}
+
 TEST_F(ValueSearchTest, NeedsNoLightWords) {
   EXPECT_TRUE(best("bank china").whole);
   EXPECT_TRUE(best("nurul ahmad").whole);

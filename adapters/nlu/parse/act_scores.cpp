@@ -1,6 +1,8 @@
 #include "adapters/nlu/parse/act_scores.hpp"
 
 #include <algorithm>
+#include <initializer_list>
+#include <string_view>
 
 #include "adapters/nlu/parse/question_words.hpp"
 
@@ -47,12 +49,49 @@ double repeated(const BuiltAct& act, const std::vector<double>& covered,
   return sum;
 }
 
+bool is_one_of(std::string_view word,
+               std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+// A clause that tells why: "he is busy", "my son is here", "it is only rain".
+// What "it is the blue one" tells is no reason.
+bool tells_why(const Utterance& utterance, std::size_t at) {
+  const auto word = [&](std::size_t token) -> std::string_view {
+    return token < utterance.size() ? utterance.tokens.list[token].word : "";
+  };
+  while (at < utterance.size() && utterance.filler[at])
+    ++at;
+  if (is_one_of(word(at), {"it", "that", "this"}))
+    return word(at + 1) == "is" &&
+           is_one_of(word(at + 2), {"only", "just", "too", "already", "not"});
+  return is_one_of(word(at), {"i", "we", "he", "she", "they", "my", "our",
+                              "his", "her", "their", "somebody", "someone",
+                              "nobody", "there", "because", "since"});
+}
+
+// "No, don't, he is busy": whoever refuses or gives up in a clause of its own
+// may say why, in words that no rule knows. A yes has no such right.
+bool is_reasoned(const BuiltAct& act, const std::vector<double>& covered,
+                 const Utterance& utterance) {
+  if (act.topic != no_topic || !is_one_of(act.act, {"deny", "cancel"}) ||
+      utterance.weight_of(0, act.begin) > 0 || act.end >= utterance.size() ||
+      utterance.tokens.list[act.end].before == Break::none ||
+      !tells_why(utterance, act.end))
+    return false;
+  for (auto token = act.end; token < utterance.size(); ++token)
+    if (covered[token] > 0 && utterance.weight[token] >= full_weight)
+      return false;
+  return true;
+}
+
 } // namespace
 
-// An act is scored on the tokens from its begin to the begin of the next one;
-// one that a rule declares, within its clauses: "What a big house. Where do I
-// find Kelvin Ho?" asks a clear question. A mere value among much that is not
-// understood says little, whatever clause it is in.
+// An act is scored on the tokens from its begin to the begin of the next one,
+// a refusal without its reason; one that a rule declares, within its clauses:
+// "What a big house. Where do I find Kelvin Ho?" asks a clear question. A mere
+// value among much that is not understood says little, whatever clause it is
+// in.
 void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
                 const Utterance& utterance, const Context& context) {
   const auto covered = coverage(chain, utterance.size());
@@ -61,6 +100,8 @@ void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
     std::size_t first = at == 0 ? 0 : act.begin;
     std::size_t last =
         at + 1 < acts.size() ? acts[at + 1].begin : utterance.size();
+    if (is_reasoned(act, covered, utterance))
+      last = act.end;
     if (act.is_declared) {
       const auto clause =
           stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);

@@ -114,6 +114,9 @@ private:
   // earlier one.
   void add_content(const ChainLink& link) {
     const auto& island = *link.island;
+    // In "And I was late. Where is the bank?", "and" leads to no bank.
+    if (lead_in_ && is_before_sentence(*lead_in_, island, utterance_.tokens))
+      lead_in_ = nullptr;
     if (wait_ && !island.act.empty()) {
       close();
       add_held();

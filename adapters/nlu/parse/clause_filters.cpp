@@ -48,6 +48,22 @@ public:
     return false;
   }
 
+  // "isn't there a bank?": a question that goes on is none behind a statement.
+  bool is_tag_within(const Island& island) const {
+    if (!island.is_tag())
+      return false;
+    const auto sentence =
+        stretch_of(utterance_.tokens, {island.begin, island.end}, Break::comma);
+    return island.end < sentence.end;
+  }
+
+  // Who has to go out has not taken leave.
+  bool is_bye_within(const Island& island) const {
+    return is_generic(island, "bye") && word(island.begin) == "i" &&
+           island.end < clause_of(island).end &&
+           utterance_.weight[island.end] > 0;
+  }
+
 private:
   static bool is_generic(const Island& island, std::string_view act) {
     return island.rule->generic && !island.is_content() && island.act == act;
@@ -127,7 +143,9 @@ void leave_out_half_clauses(std::vector<Island>& islands,
   // All are judged before one is removed.
   std::vector<Island> kept;
   for (const auto& island : islands)
-    if (!clauses.is_stop_of_question(island) && !clauses.is_half_a_yes(island))
+    if (!clauses.is_stop_of_question(island) &&
+        !clauses.is_half_a_yes(island) && !clauses.is_tag_within(island) &&
+        !clauses.is_bye_within(island))
       kept.push_back(island);
   islands = std::move(kept);
 }

@@ -106,6 +106,12 @@ private:
   // follows.
   void note(const Chain& chain, std::size_t at) {
     const auto& island = *chain.links[at].island;
+    if (island.is_tag()) {
+      tags_.push_back({island.begin, island.end});
+      std::fill(understood_.begin() + island.begin,
+                understood_.begin() + island.end, true);
+      return;
+    }
     const bool leads_in = !island.is_content() && island.act.empty();
     const bool leads_nowhere =
         leads_in && (at + 1 == chain.links.size() ||
@@ -226,14 +232,30 @@ private:
   }
 
   // "of course you can't", "yes I can not": a negation beside the yes, even one
-  // that some rule has understood.
+  // that some rule has understood. Nor does a yes stand where another topic
+  // wants no such thing: "yes, no call at all".
   bool is_turned_round(const BuiltAct& act) const {
     for (std::size_t token = 0; token < utterance_.size(); ++token) {
       const bool is_within = token >= act.begin && token < act.end;
-      if (!is_within && (word(token) == "not" || word(token) == "never"))
+      if (!is_within && !is_of_tag(token) &&
+          (word(token) == "not" || word(token) == "never" ||
+           (word(token) == "no" && is_of_topic(token))))
         return true;
     }
     return false;
+  }
+
+  // "That is what I said, isn't it? Yes!"
+  bool is_of_tag(std::size_t token) const {
+    return std::ranges::any_of(tags_, [&](const TokenRange& tag) {
+      return tag.begin <= token && token < tag.end;
+    });
+  }
+
+  bool is_of_topic(std::size_t token) const {
+    return std::ranges::any_of(acts_, [&](auto& act) {
+      return act.topic != no_topic && act.begin <= token && token < act.end;
+    });
   }
 
   bool may_follow(std::size_t token, std::size_t yes) const {
@@ -266,6 +288,7 @@ private:
   std::vector<bool> understood_;
   // The tokens at which a "not" begins.
   std::vector<std::uint32_t> denials_;
+  std::vector<TokenRange> tags_;
 };
 
 } // namespace
@@ -314,15 +337,22 @@ void prefer_application(std::vector<Island>& islands) {
         }))
       kept.push_back(island);
   islands = std::move(kept);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> own;
+  // What an application's rule only guesses is no better: in "let me see",
+  // nobody is called See.
+  struct Own {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    double score = 0;
+  };
+  std::vector<Own> own;
   for (const auto& island : islands)
     if (!island.rule->generic && !island.rule->bare)
-      own.emplace_back(island.begin, island.end);
+      own.push_back({island.begin, island.end, island.score});
   // A rule of its own that begins with "not" or "leave out" says what that is
   // about.
   const auto begins_own = [&](const Island& island) {
-    return std::ranges::any_of(own, [&](const auto& one) {
-      return one.first == island.begin && one.second > island.end;
+    return std::ranges::any_of(own, [&](const Own& one) {
+      return one.begin == island.begin && one.end > island.end;
     });
   };
   std::erase_if(islands, [&](const Island& island) {
@@ -330,7 +360,10 @@ void prefer_application(std::vector<Island>& islands) {
       return false;
     if (is_answer(island))
       return island.denies && begins_own(island);
-    return !island.act.empty() && has(own, std::pair(island.begin, island.end));
+    return !island.act.empty() && std::ranges::any_of(own, [&](const Own& one) {
+      return one.begin == island.begin && one.end == island.end &&
+             one.score > 0.5 * island.score;
+    });
   });
 }
 

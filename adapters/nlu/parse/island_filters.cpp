@@ -31,12 +31,9 @@ bool is_guess(const Span& span) {
   return !span.unmatched && span.confidence < guessed_value;
 }
 
-// In a sentence before that of the other.
-bool is_told_before(const Island& island, const Island& other,
-                    const Utterance& utterance) {
-  const auto sentence =
-      stretch_of(utterance.tokens, {island.begin, island.end}, Break::sentence);
-  return sentence.end <= other.begin;
+// One of several, or one that the words only look like.
+bool is_uncertain(const Span& span) {
+  return !span.unmatched && (is_guess(span) || span.values.size() > 1);
 }
 
 } // namespace
@@ -50,10 +47,10 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
   std::vector<std::string> sure;
   for (const auto& island : islands)
     for (const auto& fill : island.fills)
-      if (fits(fill, spans, is_certain))
+      if (fits(fill, spans, is_certain) && !fits(fill, spans, is_uncertain))
         sure.push_back(fill.slot);
   const auto is_outshone = [&](const Fill& fill, const Island& island) {
-    return fits(fill, spans, is_guess) &&
+    return fits(fill, spans, is_uncertain) &&
            std::ranges::find(sure, fill.slot) != sure.end() &&
            std::ranges::none_of(island.topics, [&](TopicNumber topic) {
              return schema.at(topic).takes_many(fill.slot);
@@ -109,14 +106,14 @@ void leave_out_strangers(std::vector<Island>& islands,
   for (const auto& island : islands) {
     const bool strange =
         !island.fills.empty() && std::ranges::all_of(island.fills, is_stranger);
-    const bool nameless =
-        strange && std::ranges::none_of(island.fills, is_named);
-    if (!strange || std::ranges::none_of(better, [&](const Island* other) {
+    const bool nameless = std::ranges::any_of(island.fills, is_stranger) &&
+                          std::ranges::none_of(island.fills, is_named);
+    if (std::ranges::none_of(better, [&](const Island* other) {
           return (nameless && says_what(*other) &&
-                  is_told_before(island, *other, utterance)) ||
-                 (is_better(*other) && island.act.empty() &&
+                  is_before_sentence(island, *other, utterance.tokens)) ||
+                 (strange && is_better(*other) && island.act.empty() &&
                   is_apart(island, *other)) ||
-                 (nameless && !is_apart(island, *other) &&
+                 (strange && nameless && !is_apart(island, *other) &&
                   is_foreign(island, *other));
         }))
       kept.push_back(island);

@@ -9,9 +9,10 @@
 
 namespace parlour::adapters::nlu {
 
-// Takes out values that the words only sound like, where others of the same
-// slot are said as they are: in "what am I saying, Kelvin Palmer", "saying" is
-// nobody called Seng.
+// Takes out values that the words only sound like, or that may be one of
+// several, where others of the same slot are said as they are: in "what am I
+// saying, Kelvin Palmer", "saying" is nobody called Seng, and in "Tan, Tan Wei
+// Ming" nobody is asked which Tan.
 void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
                        const Schema& schema);
 

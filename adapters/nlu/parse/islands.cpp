@@ -160,6 +160,13 @@ bool is_open(const Fill& fill, const Spans& spans) {
          (!fill.span || spans[*fill.span].entity == words_entity);
 }
 
+bool is_before_sentence(const Island& one, const Island& other,
+                        const Tokens& tokens) {
+  const auto sentence =
+      stretch_of(tokens, {other.begin, other.end}, Break::sentence);
+  return one.end <= sentence.begin;
+}
+
 const Fill* Island::find(std::string_view slot) const {
   const auto found = std::ranges::find(fills, slot, &Fill::slot);
   return found == fills.end() ? nullptr : &*found;

@@ -53,8 +53,16 @@ struct Island {
   bool is_content() const {
     return !topics.empty();
   }
+  // "…, isn't it?": says nothing of its own.
+  bool is_tag() const {
+    return rule->generic && rule->name == "<generic-acts.tag_question>";
+  }
   const Fill* find(std::string_view slot) const;
 };
+
+// Whether the one ends before the sentence in which the other begins.
+bool is_before_sentence(const Island& one, const Island& other,
+                        const Tokens& tokens);
 
 // Reads all matches that the context allows. A match that fills slots of
 // different topics makes no sense and is left out.

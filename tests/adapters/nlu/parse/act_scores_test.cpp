@@ -25,5 +25,25 @@ TEST(ActScores, CountTheWordsOfTheQuestionBesideAYes) {
   EXPECT_LT(understood("yes, hand it back", question), 0.5);
 }
 
+TEST(ActScores, TakeNothingFromARefusalForItsReason) {
+  static const auto engine = sample();
+  const auto acts = [&](const char* text) {
+    return summary(
+        engine
+            .understand(text, Value(Map{{"now", sample_now()},
+                                        {"confirms", "Shall I book it?"}}))
+            .acts);
+  };
+  EXPECT_EQ(acts("No, don't, my brother came along with his big red lorry"),
+            "deny");
+  EXPECT_EQ(acts("Never mind, my brother came along with his big red lorry"),
+            "cancel");
+  EXPECT_EQ(acts("No, it's only somebody with leaflets and a silly hat"),
+            "deny");
+  // What is meant instead is no reason, and a yes needs none.
+  EXPECT_EQ(acts("No, it's the purple one with stripes and a silly hat"), "");
+  EXPECT_EQ(acts("Yes, my brother came along with his big red lorry"), "");
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

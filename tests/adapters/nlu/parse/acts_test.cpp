@@ -46,6 +46,16 @@ TEST(Acts, CountTheWordsOfTheirSentences) {
   EXPECT_EQ(summary(acts("zork gronk blarg flimm dork plim need a taxi")), "");
 }
 
+// "How about" in another sentence leads to nothing here.
+TEST(Acts, AreLedToByWordsOfTheirSentence) {
+  EXPECT_EQ(summary(acts("How about it all. Bank")),
+            "~request Facility Category=bank");
+  EXPECT_EQ(
+      acts(
+          "How about zork gronk blarg flimm. Is there a bank")[0]["confidence"],
+      acts("Is there a bank")[0]["confidence"]);
+}
+
 TEST(Acts, AreDoneOnceThoughSaidTwice) {
   EXPECT_EQ(summary(acts("an umbrella, any raincoat")),
             "request Facility Category=shop");

@@ -34,5 +34,20 @@ TEST(ClauseFilters, LeaveOutAYesThatIsHalfAClause) {
             "confirm");
 }
 
+TEST(ClauseFilters, LeaveOutAByeThatGoesOn) {
+  EXPECT_EQ(understood("I have to go"), "bye");
+  EXPECT_EQ(understood("I have to go now, thank you"), "bye");
+  EXPECT_EQ(understood("I have to go out"), "");
+  EXPECT_EQ(understood("I have to go to the doctor"), "");
+}
+
+TEST(ClauseFilters, TakeAQuestionBehindAStatementForPartOfIt) {
+  EXPECT_EQ(understood("is there a bank in here, isn't there?"),
+            "request Facility Category=bank");
+  EXPECT_EQ(understood("you need a taxi, don't you?"), "inform Taxi");
+  // What goes on is a question of its own.
+  EXPECT_EQ(understood("isn't there a bank?"), understood("is there a bank?"));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "adapters/nlu/parse/doubt.hpp"
 #include "tests/adapters/nlu/sample.hpp"
 
 namespace parlour::adapters::nlu::test {
@@ -28,6 +29,50 @@ TEST(Doubt, LetsCourtesyStandBesideAnAnswer) {
   // Behind a yes, but not as a question.
   EXPECT_EQ(understood({"", "sure are you", ""}), "");
   EXPECT_EQ(understood({"", "are you sure", ""}), "");
+}
+
+// Yes to a question, and no to what a topic wants.
+TEST(Doubt, TakesNoYesBesideANoOfATopic) {
+  auto model = sample_model();
+  model.grammars[0].text +=
+      "public <none> = no taxi [at all] {act=inform} {topic=Taxi};";
+  const auto engine =
+      NluEngine::build(model, sample_column, {0.4, {generic_grammar()}});
+  const auto acts = [&](const char* text) {
+    return summary(
+        engine
+            ->understand(text, Value(Map{{"now", sample_now()},
+                                         {"confirms", "Shall I call it?"}}))
+            .acts);
+  };
+  EXPECT_EQ(acts("yes"), "confirm");
+  EXPECT_EQ(acts("yes, no taxi at all"), "inform Taxi");
+  // What is asked behind it turns no yes round.
+  EXPECT_EQ(acts("That's what I said, isn't it? Yes!"), "confirm");
+  EXPECT_EQ(acts("yes, I can not"), "");
+}
+
+// "Let me see": where a rule of the application only guesses that somebody is
+// called See, the platform's stays.
+TEST(Doubt, PrefersNoGuessOfTheApplication) {
+  RuleInfo waits;
+  waits.generic = true;
+  RuleInfo meets;
+  const auto left = [&](double own) {
+    std::vector<Island> islands(2);
+    islands[0].rule = &waits;
+    islands[0].act = "wait";
+    islands[0].score = 1.5;
+    islands[1].rule = &meets;
+    islands[1].topics = {0};
+    islands[1].score = own;
+    for (auto& island : islands)
+      island.end = 3;
+    prefer_application(islands);
+    return islands.size();
+  };
+  EXPECT_EQ(left(0.4), 2U);
+  EXPECT_EQ(left(1.5), 1U);
 }
 
 TEST(Doubt, CancelsNothingOfTheApplication) {

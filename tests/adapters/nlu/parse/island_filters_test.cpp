@@ -39,6 +39,24 @@ TEST(IslandFilters, LeaveOutWhatIsNoName) {
   EXPECT_EQ(kept("is there a bank"), Lines{"bank"});
 }
 
+TEST(IslandFilters, LeaveOutOneOfSeveralBesideACertainOne) {
+  const auto guesses = [](std::vector<Island>& islands, Stages& stages) {
+    static RuleInfo bare;
+    bare.bare = true;
+    for (auto& island : islands)
+      island.rule = &bare;
+    leave_out_guesses(islands, stages.spans, stages.schema);
+  };
+  const auto kept = [&](const char* text) {
+    auto made = left("Host", text, guesses);
+    made.erase(std::unique(made.begin(), made.end()), made.end());
+    return made;
+  };
+  EXPECT_EQ(kept("with Hui Min"), Lines{"Hui Min"});
+  EXPECT_EQ(kept("with Hui Min. So with Ho Hui Min"), Lines{"Ho Hui Min"});
+  EXPECT_EQ(kept("with Hui Min. So with Tan"), (Lines{"Hui Min", "Tan"}));
+}
+
 TEST(IslandFilters, LeaveOutStrangersOfAnotherTopic) {
   const auto strangers = [](std::vector<Island>& islands, Stages& stages) {
     leave_out_strangers(islands, stages.utterance, stages.spans);
@@ -51,6 +69,25 @@ TEST(IslandFilters, LeaveOutStrangersOfAnotherTopic) {
   EXPECT_EQ(kept("Is there a bank so with Jeffery Ho"), Lines{"Jeffery Ho"});
   EXPECT_EQ(kept("Is there a bank? I come with clients"), Lines{"clients"});
   EXPECT_EQ(kept("I come with clients"), Lines{"clients"});
+}
+
+// A story with a number in it is none the less one.
+TEST(IslandFilters, LeaveOutStoriesOfStrangersWithOtherValues) {
+  const auto kept = [](const char* text) {
+    Stages stages(R"(
+      public <ask> = is there @Facility.Category {act=request} {topic=Facility};
+      public <had> = we have @db:staff.name {Host} at @time {Time}
+        {act=inform} {topic=Appointment};)",
+                  text);
+    auto islands = stages.islands;
+    leave_out_strangers(islands, stages.utterance, stages.spans);
+    return std::ranges::any_of(islands, [](const Island& island) {
+      return island.find("Host") != nullptr;
+    });
+  };
+  EXPECT_FALSE(kept("We have meetings at ten. Is there a bank"));
+  EXPECT_TRUE(kept("We have Jeffery Ho at ten. Is there a bank"));
+  EXPECT_TRUE(kept("We have meetings at ten"));
 }
 
 TEST(IslandFilters, LeaveOutStrangersBesideASentenceOfAnyWords) {

@@ -93,5 +93,19 @@ TEST(Islands, AreMarkersOrContent) {
   }
 }
 
+TEST(Islands, StandBeforeASentenceOrInIt) {
+  const Stages stages("public <a> = no {act=deny}; public <c> = cab "
+                      "{topic=Taxi}; public <d> = bus {topic=Taxi};",
+                      "no, bus. cab");
+  ASSERT_EQ(stages.islands.size(), 3U);
+  const auto at = [&](std::uint32_t token) -> const Island& {
+    return *std::ranges::find(stages.islands, token, &Island::begin);
+  };
+  const auto& tokens = stages.utterance.tokens;
+  EXPECT_FALSE(is_before_sentence(at(0), at(1), tokens));
+  EXPECT_TRUE(is_before_sentence(at(0), at(2), tokens));
+  EXPECT_FALSE(is_before_sentence(at(2), at(0), tokens));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

@@ -173,6 +173,33 @@ void remove_noise(Tokens& tokens, const Automaton& automaton) {
     list = std::move(kept);
 }
 
+bool begins_number(std::string_view word) {
+  return is_number_word(word) || word == "half" || word == "quarter" ||
+         (!word.empty() && word[0] >= '0' && word[0] <= '9');
+}
+
+bool mends(std::string_view word) {
+  static constexpr std::array<std::string_view, 10> words{
+      "wait", "sorry", "i", "mean", "make", "it", "that", "rather", "at", "a"};
+  return std::ranges::find(words, word) != words.end();
+}
+
+// "At four. No, half past four, to Orchard Road": a number that is mended at
+// once is mended within the sentence, whatever stands between.
+void join_mended_numbers(std::vector<Token>& list) {
+  for (std::size_t at = 1; at + 1 < list.size(); ++at) {
+    if (list[at].word != "no" || list[at].before != Break::sentence ||
+        !begins_number(list[at - 1].word))
+      continue;
+    auto next = at + 1;
+    while (next + 1 < list.size() && next < at + 4 &&
+           list[next].before != Break::sentence && mends(list[next].word))
+      ++next;
+    if (list[next].before != Break::sentence && begins_number(list[next].word))
+      list[at].before = Break::comma;
+  }
+}
+
 } // namespace
 
 double Utterance::weight_of(std::size_t first, std::size_t last) const {
@@ -202,6 +229,7 @@ Utterance make_utterance(std::string_view text, const Automaton& automaton) {
   made.tokens = tokenize(text);
   if (has_noise(made.tokens.list))
     remove_noise(made.tokens, automaton);
+  join_mended_numbers(made.tokens.list);
   const auto size = made.size();
   made.filler.resize(size);
   mark_fillers(made);

@@ -55,6 +55,20 @@ TEST(Utterance, LeavesOutWhatWinsTimeWithinASentence) {
             "dr ho let me think about it");
 }
 
+TEST(Utterance, JoinsANumberThatIsMendedAtOnce) {
+  const auto sentences = [](const char* text) {
+    std::size_t count = 1;
+    for (const auto& token : make_utterance(text, Automaton()).tokens.list)
+      count += token.before == Break::sentence ? 1U : 0U;
+    return count;
+  };
+  EXPECT_EQ(sentences("At four. No, half past four, to Orchard Road"), 1U);
+  EXPECT_EQ(sentences("Wake me at six. No wait, make it 6:30. Room 301"), 2U);
+  EXPECT_EQ(sentences("At four. No, to Orchard Road"), 2U);
+  EXPECT_EQ(sentences("A taxi. No, two"), 2U);
+  EXPECT_EQ(sentences("At four. No. Half past four is late"), 3U);
+}
+
 TEST(Utterance, CountsNoWordsThatMeanNothing) {
   Automaton automaton;
   automaton.vocabulary = {{"toilet", 7}};

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Visitors talk with `parlour serve` for hours while the application is loaded
-again and the processes of its components are killed. At the end each answer
-must have been right and the server's memory the same as after half of the time.
-Conversations that depend on the hour, or on who came before, are left out by
---conversations."""
+again, each time with another script, and the processes of its components are
+killed. At the end each answer must have been right and the server's memory the
+same as after half of the time. Conversations that depend on the hour, or on who
+came before, are left out by --conversations."""
 
 import argparse
 import os
@@ -45,6 +45,13 @@ def in_processes(application, folder):
     return copy
 
 
+def with_function(script, name):
+    """A script that differs from another one by a function which nobody calls."""
+    end = script.rindex("</dialogue>")
+    return (f'{script[:end]}  <function name="{name}">\n    <return expr="1"/>\n'
+            f'  </function>\n{script[end:]}')
+
+
 def children_of(process):
     found = {}
     for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
@@ -68,6 +75,9 @@ class Soak:
     def __init__(self, options, folder):
         self.options = options
         self.application = in_processes(options.application, folder)
+        self.script = self.application / f"{self.application.name}.xml"
+        self.text = self.script.read_text()
+        self.journal = ["--journal", str(pathlib.Path(folder) / "journal")]
         self.port = free_port()
         self.log = pathlib.Path(folder) / "log"
         # Where the server is found: no other run of this application is.
@@ -81,8 +91,9 @@ class Soak:
         self.server = subprocess.Popen(
             [self.options.program, "serve", str(self.application), "--rehearsed",
              "--clock", CLOCK, "--sessions", "20000", "--seed", "1", "--port",
-             str(self.port)], stdout=subprocess.PIPE,
-            stderr=self.log.open("wb"), env=self.environment)
+             str(self.port), *(self.journal if self.options.journal else [])],
+            stdout=subprocess.PIPE, stderr=self.log.open("wb"),
+            env=self.environment)
         if b"is served at" not in self.server.stdout.readline():
             raise RuntimeError("the server does not start:\n" +
                                self.log.read_text())
@@ -108,6 +119,8 @@ class Soak:
         return thread
 
     def load_again(self):
+        self.script.write_text(
+            with_function(self.text, f"unused_{self.reloads % 2}"))
         done = subprocess.run(
             [self.options.program, "reload", str(self.application)],
             capture_output=True, text=True, timeout=60, check=False,
@@ -170,6 +183,8 @@ def main():
     parser.add_argument("--seconds", type=float, default=3600)
     parser.add_argument("--rate", type=float, default=50,
                         help="conversations that begin in a second")
+    parser.add_argument("--journal", action="store_true",
+                        help="the server keeps one, in a temporary folder")
     parser.add_argument("--reload-every", type=float, default=60)
     parser.add_argument("--kill-every", type=float, default=20)
     options = parser.parse_args()

@@ -24,7 +24,7 @@ class Visitors(unittest.TestCase):
         done = subprocess.run(
             [sys.executable, "-B", soak.__file__, PROGRAM, str(RECEPTIONIST),
              "--seconds", "6", "--rate", "10", "--reload-every", "2",
-             "--kill-every", "1"], capture_output=True, text=True, timeout=200,
+             "--kill-every", "1", "--journal"], capture_output=True, text=True, timeout=200,
             check=False)
         told = [line for line in done.stdout.splitlines()
                 if line.startswith("FAILED") and "memory" not in line]

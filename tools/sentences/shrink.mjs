@@ -20,7 +20,9 @@ const bytes = Buffer.concat(
 // Name to { shape, numbers }; each number takes four bytes.
 const weights = new Map();
 let at = 0;
-for (const { name, shape, dtype } of manifest.weights) {
+for (const { name, shape, dtype, quantization } of manifest.weights) {
+  if (quantization || !["int32", "float32"].includes(dtype))
+    throw new Error(`${name} has numbers of another kind`);
   const count = shape.reduce((product, size) => product * size, 1);
   const read = (each) =>
     dtype === "int32"
@@ -29,6 +31,7 @@ for (const { name, shape, dtype } of manifest.weights) {
   weights.set(name, { shape, numbers: Array.from({ length: count }, (_, each) => read(each)) });
   at += 4 * count;
 }
+if (at !== bytes.length) throw new Error("the files have more than the weights");
 
 // The only weight whose name has all of these parts.
 function weight(...parts) {

@@ -48,13 +48,14 @@ struct IntegerRows {
     float largest = 0;
     for (std::size_t column = 0; column < count; ++column)
       largest = std::max(largest, std::abs(numbers[column]));
-    if (!(largest > 0) || !std::isfinite(largest))
+    const auto scale = largest_input / largest;
+    if (!(largest > 0) || !std::isfinite(largest) || !std::isfinite(scale))
       return;
     steps[at] = largest / largest_input;
-    const auto scale = largest_input / largest;
     for (std::size_t column = 0; column < count; ++column)
-      integers[at * width + column] =
-          static_cast<std::int16_t>(std::lrint(numbers[column] * scale));
+      if (!std::isnan(numbers[column]))
+        integers[at * width + column] =
+            static_cast<std::int16_t>(std::lrint(numbers[column] * scale));
   }
 
   std::size_t width;
@@ -117,6 +118,8 @@ std::vector<float> read_numbers(ByteReader& reader, std::size_t count) {
     return made;
   made.resize(count);
   std::memcpy(made.data(), bytes.data(), bytes.size());
+  if (std::ranges::any_of(made, [](float one) { return !std::isfinite(one); }))
+    reader.fail("a number is not finite");
   return made;
 }
 

@@ -1,7 +1,7 @@
 // Dense is a layer of a neural network: each number that comes out is a
 // weighted sum of all that go in. Its weights are small integers, and what goes
 // in is made to integers too, so the sums are exact and the same with every
-// compiler and on every processor.
+// compiler and on every processor; what is done with them is not.
 #pragma once
 
 #include <cstddef>

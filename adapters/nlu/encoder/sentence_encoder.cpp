@@ -15,7 +15,6 @@ namespace {
 constexpr std::string_view file_mark = "PARLOURS";
 constexpr std::size_t most_pieces = 128;
 constexpr std::size_t most_layers = 16;
-constexpr std::size_t most_remembered = 4096;
 // Keeps a deviation of 0 from being divided by.
 constexpr float smallest_variance = 1e-6F;
 // The waves by which a row knows its place: the longest is as many times as
@@ -227,6 +226,11 @@ std::vector<float> SentenceEncoder::encode(std::string_view text) const {
   for (auto& number : made)
     number /= std::max(std::sqrt(length), smallest_variance);
   return made;
+}
+
+std::size_t SentenceEncoder::remembered() const {
+  const std::lock_guard lock(mutex_);
+  return remembered_.size();
 }
 
 // No lock is held while a text is encoded, which takes long.

@@ -26,6 +26,8 @@ namespace parlour::adapters::nlu {
 // Any number of threads may use it.
 class SentenceEncoder {
 public:
+  static constexpr std::size_t most_remembered = 4096;
+
   // The file: "PARLOURS", the pieces of words, a ByteTable with the numbers of
   // each piece, a count of layers, each layer, and the Dense layer that makes
   // the numbers of the sentence. Errors are of kind File.
@@ -36,9 +38,11 @@ public:
   // first 128 pieces count. The same text gives the same numbers.
   std::vector<float> encode(std::string_view text) const;
 
-  // The same, and kept for the next time, of up to 4,096 texts: what is learnt
-  // from examples is learnt again whenever a table has changed.
+  // The same, and kept for the next time: what is learnt from examples is
+  // learnt again whenever a table has changed.
   std::vector<float> remember(const std::string& text) const;
+  // How many texts are kept; never more than most_remembered.
+  std::size_t remembered() const;
 
   // Encoders of the same file are the same.
   bool operator==(const SentenceEncoder& other) const {

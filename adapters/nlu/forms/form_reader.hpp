@@ -37,6 +37,12 @@ public:
     return tokens_->list[place].word;
   }
 
+  // Whether the clause ends here, but for a courtesy.
+  bool ends_clause() const {
+    return word().empty() || tokens_->list[at_].before != Break::none ||
+           (word() == "please" && word(1).empty());
+  }
+
   // The word before the first one that was read; empty at the beginning of the
   // text.
   std::string_view word_before() const {
@@ -121,13 +127,14 @@ private:
 bool skip_repair(FormReader& reader);
 
 // Reads what is said again behind such words: digits stand for as many before
-// them, or for all if there are more. `next` reads digits, empty for none.
+// them, or for all if there are more. They end a clause, or they are none: "no,
+// one moment". `next` reads digits, empty for none.
 template <class Next>
 void repair_digits(FormReader& reader, std::string& digits, Next next) {
   auto start = reader.position();
   while (!digits.empty() && skip_repair(reader)) {
     const std::string again = next();
-    if (again.empty())
+    if (again.empty() || !reader.ends_clause())
       break;
     digits.resize(digits.size() - std::min(digits.size(), again.size()));
     digits += again;

@@ -85,12 +85,21 @@ constexpr std::array<std::string_view, 12> pauses{
     "what do you call it", "what is it called",  "what was it",
     "what was it called",  "what is the name",   "what was the name"};
 
+bool goes_on(std::string_view word) {
+  static constexpr std::array<std::string_view, 12> words{
+      "to",  "from", "with", "is",    "are",  "am",
+      "was", "see",  "meet", "about", "need", "want"};
+  return is_light(word) || std::ranges::find(words, word) != words.end();
+}
+
 // How many words of such a pause stand between commas: "I am here for, let me
-// think, Dr. Ho". 0: none. At the beginning or end it may be all that is meant.
+// think, Dr. Ho". 0: none. "Yes, let me think, er" asks for time.
 std::size_t pause_at(const std::vector<Token>& list, std::size_t at) {
   if (at == 0 || list[at].before != Break::comma)
     return 0;
   for (const auto pause : pauses) {
+    if (pause.starts_with("let me") && !goes_on(list[at - 1].word))
+      continue;
     std::string said;
     auto end = at;
     for (; end < list.size() && said.size() < pause.size(); ++end)
@@ -178,6 +187,21 @@ bool begins_number(std::string_view word) {
          (!word.empty() && word[0] >= '0' && word[0] <= '9');
 }
 
+// Whether nothing but a number stands there up to the end of the clause: "no,
+// one moment" mends nothing.
+bool is_all_number(const std::vector<Token>& list, std::size_t at) {
+  static constexpr std::array<std::string_view, 6> words{
+      "past", "to", "oclock", "am", "pm", "please"};
+  const auto begin = at;
+  for (; at < list.size() && (at == begin || list[at].before == Break::none);
+       ++at)
+    if (!begins_number(list[at].word) &&
+        std::ranges::find(words, list[at].word) == words.end())
+      return false;
+  return at > begin && list[begin].before != Break::sentence &&
+         begins_number(list[begin].word);
+}
+
 bool mends(std::string_view word) {
   static constexpr std::array<std::string_view, 10> words{
       "wait", "sorry", "i", "mean", "make", "it", "that", "rather", "at", "a"};
@@ -195,7 +219,7 @@ void join_mended_numbers(std::vector<Token>& list) {
     while (next + 1 < list.size() && next < at + 4 &&
            list[next].before != Break::sentence && mends(list[next].word))
       ++next;
-    if (list[next].before != Break::sentence && begins_number(list[next].word))
+    if (is_all_number(list, next))
       list[at].before = Break::comma;
   }
 }

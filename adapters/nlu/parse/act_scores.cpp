@@ -58,7 +58,9 @@ bool is_one_of(std::string_view word,
 // What "it is the blue one" tells is no reason.
 bool tells_why(const Utterance& utterance, std::size_t at) {
   const auto word = [&](std::size_t token) -> std::string_view {
-    return token < utterance.size() ? utterance.tokens.list[token].word : "";
+    if (token >= utterance.size())
+      return {};
+    return utterance.tokens.list[token].word;
   };
   while (at < utterance.size() && utterance.filler[at])
     ++at;

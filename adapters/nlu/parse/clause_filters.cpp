@@ -50,18 +50,15 @@ public:
 
   // "isn't there a bank?": a question that goes on is none behind a statement.
   bool is_tag_within(const Island& island) const {
-    if (!island.is_tag())
-      return false;
-    const auto sentence =
-        stretch_of(utterance_.tokens, {island.begin, island.end}, Break::comma);
-    return island.end < sentence.end;
+    return island.is_tag() && island.end < clause_of(island).end;
   }
 
   // Who has to go out has not taken leave.
   bool is_bye_within(const Island& island) const {
     return is_generic(island, "bye") && word(island.begin) == "i" &&
            island.end < clause_of(island).end &&
-           utterance_.weight[island.end] > 0;
+           utterance_.weight[island.end] > 0 &&
+           !word(island.end).starts_with("thank");
   }
 
 private:

@@ -198,7 +198,7 @@ private:
       return knows_nobody(act);
     if (is_plain(act, "confirm"))
       return is_right_now(act) || leaves_words(act.begin) || is_asked(act) ||
-             is_turned_round(act);
+             is_turned_round(act) || is_before_tag(act);
     if (is_plain(act, "cancel") || is_plain(act, "abandon"))
       return word(act.begin) != "stop" && leaves_known_words(act);
     return is_plain(act, "deny") && !act.negated && has(denials_, act.begin) &&
@@ -250,6 +250,12 @@ private:
     return std::ranges::any_of(tags_, [&](const TokenRange& tag) {
       return tag.begin <= token && token < tag.end;
     });
+  }
+
+  // "Yes or not?", "yes, is that right?"
+  bool is_before_tag(const BuiltAct& act) const {
+    return std::ranges::any_of(
+        tags_, [&](const TokenRange& tag) { return act.begin < tag.begin; });
   }
 
   bool is_of_topic(std::size_t token) const {

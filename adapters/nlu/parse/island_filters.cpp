@@ -31,9 +31,19 @@ bool is_guess(const Span& span) {
   return !span.unmatched && span.confidence < guessed_value;
 }
 
-// One of several, or one that the words only look like.
-bool is_uncertain(const Span& span) {
-  return !span.unmatched && (is_guess(span) || span.values.size() > 1);
+bool is_one_of_several(const Span& span) {
+  return !span.unmatched && span.values.size() > 1;
+}
+
+// Whether punctuation stands between them.
+bool is_apart(const Island& one, const Island& other,
+              const Utterance& utterance) {
+  const auto first = std::min(one.end, other.end);
+  const auto last = std::max(one.begin, other.begin);
+  for (auto token = first; token <= last; ++token)
+    if (utterance.tokens.list[token].before != Break::none)
+      return true;
+  return false;
 }
 
 } // namespace
@@ -44,14 +54,23 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
   // be.
   if (std::ranges::any_of(islands, &Island::denies))
     return;
-  std::vector<std::string> sure;
+  std::vector<const Fill*> sure;
   for (const auto& island : islands)
     for (const auto& fill : island.fills)
-      if (fits(fill, spans, is_certain) && !fits(fill, spans, is_uncertain))
-        sure.push_back(fill.slot);
+      if (fits(fill, spans, is_certain) &&
+          !fits(fill, spans, is_one_of_several))
+        sure.push_back(&fill);
+  // Of several people, a later word says which; in "Kelvin Palmer, no, Tan", it
+  // is somebody else.
   const auto is_outshone = [&](const Fill& fill, const Island& island) {
-    return fits(fill, spans, is_uncertain) &&
-           std::ranges::find(sure, fill.slot) != sure.end() &&
+    return std::ranges::any_of(
+               sure,
+               [&](const Fill* other) {
+                 return other->slot == fill.slot &&
+                        (fits(fill, spans, is_guess) ||
+                         (fits(fill, spans, is_one_of_several) &&
+                          fill.end <= other->begin));
+               }) &&
            std::ranges::none_of(island.topics, [&](TopicNumber topic) {
              return schema.at(topic).takes_many(fill.slot);
            });
@@ -65,7 +84,8 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
 }
 
 void leave_out_strangers(std::vector<Island>& islands,
-                         const Utterance& utterance, const Spans& spans) {
+                         const Utterance& utterance, const Spans& spans,
+                         const Context& context) {
   const auto is_known = [&](const Fill& fill) {
     return fill.literal || fits(fill, spans, is_certain);
   };
@@ -74,14 +94,6 @@ void leave_out_strangers(std::vector<Island>& islands,
   };
   const auto is_better = [&](const Island& island) {
     return std::ranges::any_of(island.fills, is_known);
-  };
-  const auto is_apart = [&](const Island& one, const Island& other) {
-    const auto first = std::min(one.end, other.end);
-    const auto last = std::max(one.begin, other.begin);
-    for (auto token = first; token <= last; ++token)
-      if (utterance.tokens.list[token].before != Break::none)
-        return true;
-    return false;
   };
   const auto is_named = [&](const Fill& fill) {
     return is_written_as_name(utterance, {fill.begin, fill.end});
@@ -98,6 +110,16 @@ void leave_out_strangers(std::vector<Island>& islands,
     return !island.rule->bare && island.is_content() && !island.act.empty() &&
            std::ranges::none_of(island.fills, is_stranger);
   };
+  // While the conversation is about something else.
+  const auto is_beside = [&](const Island& island) {
+    const bool goes_on = context.asked_topic != no_topic ||
+                         context.current != no_topic ||
+                         context.completed != no_topic;
+    return goes_on &&
+           std::ranges::none_of(island.topics, [&](TopicNumber topic) {
+             return context.expects(topic);
+           });
+  };
   std::vector<const Island*> better;
   for (const auto& island : islands)
     if (is_better(island) || says_what(island))
@@ -108,12 +130,13 @@ void leave_out_strangers(std::vector<Island>& islands,
         !island.fills.empty() && std::ranges::all_of(island.fills, is_stranger);
     const bool nameless = std::ranges::any_of(island.fills, is_stranger) &&
                           std::ranges::none_of(island.fills, is_named);
+    const bool is_story = nameless && (strange || is_beside(island));
     if (std::ranges::none_of(better, [&](const Island* other) {
-          return (nameless && says_what(*other) &&
+          return (is_story && says_what(*other) &&
                   is_before_sentence(island, *other, utterance.tokens)) ||
                  (strange && is_better(*other) && island.act.empty() &&
-                  is_apart(island, *other)) ||
-                 (strange && nameless && !is_apart(island, *other) &&
+                  is_apart(island, *other, utterance)) ||
+                 (strange && nameless && !is_apart(island, *other, utterance) &&
                   is_foreign(island, *other));
         }))
       kept.push_back(island);

@@ -21,9 +21,10 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
 // way", nobody asks for a way. Nor for a person in "where can I have a drink
 // with clients": what is written as no name is, beside another topic's rule or
 // before the sentence that says what is wanted ("my head is splitting. Where
-// …").
+// …"), with known values, too, if the conversation is about something else.
 void leave_out_strangers(std::vector<Island>& islands,
-                         const Utterance& utterance, const Spans& spans);
+                         const Utterance& utterance, const Spans& spans,
+                         const Context& context);
 
 // Takes out what names something unknown that no name is: a verb that rules
 // know ("is there anywhere I could buy some"), or a word such as "moment".

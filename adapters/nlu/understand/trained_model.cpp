@@ -275,7 +275,7 @@ private:
 
   void add(const std::vector<LearningWord>& words, std::uint32_t label) {
     texts_.push_back({text_features(words), label});
-    if (learned_.language_.encoder)
+    if (learned_.language_.encoder && said_.size() <= limits_.sentences)
       said_.push_back(text_of(words));
   }
 

@@ -357,7 +357,8 @@ bool ValueSearch::is_plain_part(const Partial& partial, std::size_t begin,
                                 std::size_t end) const {
   if (whole(partial) || of_people(partial))
     return false;
-  if (is_function_word(tokens_.list[begin].word))
+  const bool begins_value = (partial.mask & 1U) != 0 && partial.fidelity >= 1;
+  if (is_function_word(tokens_.list[begin].word) && !begins_value)
     return true;
   for (auto at = begin; at < end; ++at)
     if (const auto& word = tokens_.list[at].word;

@@ -24,7 +24,9 @@ Value shifted_time(const Value& time, const Value& said) {
       !RE2::FullMatch(*time.if_string(), clock, &hour, &minute))
     return {};
   const int by = (hours * 60 + minutes) * (sign == "-" ? -1 : 1);
-  const int moved = (hour * 60 + minute + by + minutes_of_day) % minutes_of_day;
+  const int moved = hour * 60 + minute + by;
+  if (moved < 0 || moved >= minutes_of_day)
+    return {};
   std::array<char, 8> text{};
   std::snprintf(text.data(), text.size(), "%02d:%02d", moved / 60, moved % 60);
   return text.data();

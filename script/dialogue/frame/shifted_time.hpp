@@ -6,8 +6,8 @@
 
 namespace parlour::dialogue {
 
-// The time "15:30" moved by "+01:00" or "-00:30", within the day. Unknown if
-// `said` is no such difference, or if there is no time to move.
+// The time "15:30" moved by "+01:00" or "-00:30". Unknown if `said` is no such
+// difference, if there is no time to move, or if the date would change, too.
 Value shifted_time(const Value& time, const Value& said);
 
 } // namespace parlour::dialogue

@@ -122,7 +122,8 @@ void prefer_known(Act& act) {
   const auto known = !is_in_vain(act)
                          ? others.end()
                          : std::ranges::find_if(others, [&](const Act& other) {
-                             return !is_in_vain(other) && is_near(act, other);
+                             return !other.slots.empty() &&
+                                    !is_in_vain(other) && is_near(act, other);
                            });
   if (known != others.end()) {
     auto chosen = *known;

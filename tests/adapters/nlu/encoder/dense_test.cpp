@@ -77,8 +77,10 @@ TEST(Dense, TakesNothingForWhatIsNoNumber) {
   const auto dense = dense_of({{1, 1}}, 1, {7});
   const auto none = std::numeric_limits<float>::quiet_NaN();
   const auto endless = std::numeric_limits<float>::infinity();
-  EXPECT_THAT(dense.apply(rows_of(2, {0, 0, endless, 1, none, 0})).numbers,
-              Each(7));
+  EXPECT_THAT(
+      dense.apply(rows_of(2, {0, 0, endless, 1, none, 0, 1e-42F, 0})).numbers,
+      Each(7));
+  EXPECT_NEAR(dense.apply(rows_of(2, {none, 3})).numbers[0], 10, 0.01);
   EXPECT_THAT(dense.apply(Rows(0, 2)).numbers, ElementsAre());
 }
 
@@ -87,6 +89,15 @@ std::string refusal_of(const std::string& bytes) {
   const auto made = Dense::read(reader);
   EXPECT_EQ(reader.ok(), made.outputs() != 0);
   return reader.ok() ? "" : reader.error().message;
+}
+
+TEST(Dense, IsRefusedIfAWeightIsNoNumber) {
+  for (const auto bad : {std::numeric_limits<float>::quiet_NaN(),
+                         std::numeric_limits<float>::infinity()}) {
+    ByteWriter writer;
+    small::write_dense(writer, {{1, 2}}, bad);
+    EXPECT_THAT(refusal_of(writer.take()), HasSubstr("not finite"));
+  }
 }
 
 TEST(Dense, IsRefusedIfItsPartsDoNotFit) {

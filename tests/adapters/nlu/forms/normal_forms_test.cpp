@@ -56,6 +56,29 @@ TEST(Forms, OfADeskAreRead) {
   }
 }
 
+// What is said anew ends the clause, or it is something else.
+TEST(Forms, AreMendedAtTheEndOfAClauseAlone) {
+  const auto value = [](Form form, const char* words) {
+    const auto found = form_at(form, tokenize(words), 0, {});
+    return found ? found->value : Value();
+  };
+  const auto number = [&](const char* words) {
+    return value(Form::number, words);
+  };
+  EXPECT_EQ(number("two oh six eight seven, sorry, nine, please"), 20689);
+  EXPECT_EQ(number("two oh six eight seven, sorry, nine please"), 20689);
+  EXPECT_EQ(number("two oh six eight seven, no, one moment"), 20687);
+  EXPECT_EQ(number("two oh four, sorry, two more pillows"), 204);
+  const auto phone = [&](const char* words) {
+    return value(Form::phone, words);
+  };
+  EXPECT_EQ(phone("nine one two three four five six seven, no, eight"),
+            "91234568");
+  EXPECT_EQ(phone("nine one two three four five six seven, no, one moment"),
+            "91234567");
+  EXPECT_EQ(phone("91234567, no one answered"), "91234567");
+}
+
 TEST(Forms, BeginWithAFirstWord) {
   for (const auto& line : table()) {
     if (line.expected.empty() || line.form == "email")

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "adapters/nlu/grammar/utterance.hpp"
@@ -48,11 +50,25 @@ TEST(Utterance, LeavesOutWhatWinsTimeWithinASentence) {
   EXPECT_EQ(words("I am here for, let me think, Dr. Ho"),
             "i am here for dr ho");
   EXPECT_EQ(words("the, what is it called, sky garden"), "the sky garden");
+  EXPECT_EQ(words("the thing, what is it called, for it"), "the thing for it");
+  // Who wins time has not said yes.
+  EXPECT_EQ(words("Yes, let me see, er, no"), "yes let me see no");
+  EXPECT_EQ(words("Okay, let me check, please"), "okay let me check please");
   // That may be all that is meant.
   EXPECT_EQ(words("let me think, Dr. Ho"), "let me think dr ho");
   EXPECT_EQ(words("Dr. Ho, let me think"), "dr ho let me think");
   EXPECT_EQ(words("Dr. Ho, let me think about it"),
             "dr ho let me think about it");
+}
+
+TEST(Utterance, JoinsNoNumberThatGoesOnOtherwise) {
+  for (const auto* text : {"It is nine one. No, one moment.",
+                           "Call 91234567. No, one more thing."}) {
+    const auto tokens = make_utterance(text, Automaton()).tokens.list;
+    EXPECT_TRUE(std::ranges::any_of(tokens, [](const Token& token) {
+      return token.before == Break::sentence;
+    })) << text;
+  }
 }
 
 TEST(Utterance, JoinsANumberThatIsMendedAtOnce) {

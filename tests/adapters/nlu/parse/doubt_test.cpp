@@ -50,6 +50,10 @@ TEST(Doubt, TakesNoYesBesideANoOfATopic) {
   // What is asked behind it turns no yes round.
   EXPECT_EQ(acts("That's what I said, isn't it? Yes!"), "confirm");
   EXPECT_EQ(acts("yes, I can not"), "");
+  // Behind it, the yes itself is asked.
+  for (const auto* text : {"ok or not?", "yes, isn't it?", "yes, am I right?",
+                           "yes, is that right?"})
+    EXPECT_EQ(acts(text), "") << text;
 }
 
 // "Let me see": where a rule of the application only guesses that somebody is

@@ -55,11 +55,13 @@ TEST(IslandFilters, LeaveOutOneOfSeveralBesideACertainOne) {
   EXPECT_EQ(kept("with Hui Min"), Lines{"Hui Min"});
   EXPECT_EQ(kept("with Hui Min. So with Ho Hui Min"), Lines{"Ho Hui Min"});
   EXPECT_EQ(kept("with Hui Min. So with Tan"), (Lines{"Hui Min", "Tan"}));
+  // Somebody else, not one of several.
+  EXPECT_EQ(kept("with Ho Hui Min. So with Tan"), (Lines{"Ho Hui Min", "Tan"}));
 }
 
 TEST(IslandFilters, LeaveOutStrangersOfAnotherTopic) {
   const auto strangers = [](std::vector<Island>& islands, Stages& stages) {
-    leave_out_strangers(islands, stages.utterance, stages.spans);
+    leave_out_strangers(islands, stages.utterance, stages.spans, {});
   };
   const auto kept = [&](const char* text) {
     return left("Host", text, strangers);
@@ -73,21 +75,26 @@ TEST(IslandFilters, LeaveOutStrangersOfAnotherTopic) {
 
 // A story with a number in it is none the less one.
 TEST(IslandFilters, LeaveOutStoriesOfStrangersWithOtherValues) {
-  const auto kept = [](const char* text) {
+  const auto kept = [](const char* text, const char* current) {
     Stages stages(R"(
       public <ask> = is there @Facility.Category {act=request} {topic=Facility};
       public <had> = we have @db:staff.name {Host} at @time {Time}
         {act=inform} {topic=Appointment};)",
                   text);
     auto islands = stages.islands;
-    leave_out_strangers(islands, stages.utterance, stages.spans);
+    Context context;
+    context.current = stages.schema.topic(current);
+    leave_out_strangers(islands, stages.utterance, stages.spans, context);
     return std::ranges::any_of(islands, [](const Island& island) {
       return island.find("Host") != nullptr;
     });
   };
-  EXPECT_FALSE(kept("We have meetings at ten. Is there a bank"));
-  EXPECT_TRUE(kept("We have Jeffery Ho at ten. Is there a bank"));
-  EXPECT_TRUE(kept("We have meetings at ten"));
+  EXPECT_FALSE(kept("We have meetings at ten. Is there a bank", "Taxi"));
+  EXPECT_TRUE(kept("We have Jeffery Ho at ten. Is there a bank", "Taxi"));
+  EXPECT_TRUE(kept("We have meetings at ten", "Taxi"));
+  // Nothing else is gone on with.
+  EXPECT_TRUE(kept("We have meetings at ten. Is there a bank", "Appointment"));
+  EXPECT_TRUE(kept("We have meetings at ten. Is there a bank", ""));
 }
 
 TEST(IslandFilters, LeaveOutStrangersBesideASentenceOfAnyWords) {
@@ -97,7 +104,7 @@ TEST(IslandFilters, LeaveOutStrangersBesideASentenceOfAnyWords) {
       public <meet> = my head is @db:staff.name {Host} {act=inform} {topic=Appointment};)",
                   text);
     auto islands = stages.islands;
-    leave_out_strangers(islands, stages.utterance, stages.spans);
+    leave_out_strangers(islands, stages.utterance, stages.spans, {});
     return std::ranges::count_if(islands, [](const Island& island) {
       const auto* host = island.find("Host");
       return host && host->begin == 3;

@@ -113,6 +113,29 @@ TEST(TrainedModel, AsksTheEncoderWhereWordsLeaveItUnsure) {
   EXPECT_EQ(probability(small::small_encoder(), 3), by_words);
 }
 
+// The same words mean something else: beside grammars, that counts.
+TEST(TrainedModel, TakesNothingThatIsLikeNoExampleBesideGrammars) {
+  const auto probability = [](const std::string& rules, const char* text) {
+    Stages stages(rules, text);
+    auto topics = sample_model().topics;
+    topics[0].examples.clear();
+    topics[1].examples = {"i need a taxi", "a taxi"};
+    topics[2].examples = {"bank here"};
+    const auto learned =
+        *TrainedModel::train(topics, stages.schema, stages.automaton, 0.4, {},
+                             {.encoder = small::small_encoder()});
+    for (const auto& one :
+         learned.topics(learned.words(stages.utterance, stages.spans)))
+      if (stages.schema.at(one.topic).name == topics[1].name)
+        return one.probability;
+    return -1.0;
+  };
+  const auto* rules = "public <x> = hello;";
+  EXPECT_GT(probability(rules, "i need a cab"), 0.1);
+  EXPECT_EQ(probability(rules, "i need a bank"), 0);
+  EXPECT_GT(probability("", "i need a bank"), 0);
+}
+
 TEST(TrainedModel, SaysWhatIsTooMuchToLearn) {
   Stages stages("public <x> = hello;", "hello");
   const auto failure = [&](LearningLimits limits) {

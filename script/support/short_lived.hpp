@@ -25,6 +25,7 @@ struct ShortLived {
   explicit ShortLived(const ShortLived<Other>&) {}
 
   T* allocate(std::size_t count) {
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): T may be a pointer
     return static_cast<T*>(script::BlockCache::take(count * sizeof(T)));
   }
   void deallocate(T* first, std::size_t count) {

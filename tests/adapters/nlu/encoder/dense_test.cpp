@@ -66,7 +66,8 @@ TEST(Dense, IsCloseToExactArithmetic) {
         for (std::size_t output = 0; output < 5; ++output) {
           float sum = 0;
           for (std::size_t column = 0; column < width; ++column)
-            sum += 0.01F * weights[output][column] * rows.row(at)[column];
+            sum += 0.01F * static_cast<float>(weights[output][column]) *
+                   rows.row(at)[column];
           EXPECT_NEAR(made.row(at)[output], sum, 0.01);
         }
     }

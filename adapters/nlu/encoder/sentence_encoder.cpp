@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "runtime/base/outside/file_bytes.hpp"
@@ -63,10 +64,11 @@ std::vector<float> mean_of(const Rows& rows) {
   return mean;
 }
 
-// Reads a layer that must have that many inputs and outputs.
-Dense read_dense(ByteReader& reader, std::size_t inputs, std::size_t outputs) {
+// Reads a layer that must have that many inputs, and outputs if they are told.
+Dense read_dense(ByteReader& reader, std::size_t inputs,
+                 std::optional<std::size_t> outputs = {}) {
   auto made = Dense::read(reader);
-  if (made.inputs() != inputs || made.outputs() != outputs)
+  if (made.inputs() != inputs || (outputs && made.outputs() != *outputs))
     reader.fail("a layer does not fit the one before");
   return made;
 }
@@ -104,16 +106,12 @@ SentenceEncoder::Layer SentenceEncoder::Layer::read(ByteReader& reader,
     reader.fail("the heads of a layer do not divide its width");
   made.norm_of_attention = Norm::read(reader, width);
   made.queries_keys_values = read_dense(reader, width, 3 * width);
-  made.attended = Dense::read(reader);
+  made.attended = read_dense(reader, width);
   const auto wide = made.attended.outputs();
-  if (made.attended.inputs() != width)
-    reader.fail("a layer does not fit the one before");
   if (wide != width)
     made.passing = read_dense(reader, width, wide);
   made.norm_of_work = Norm::read(reader, wide);
-  made.widening = Dense::read(reader);
-  if (made.widening.inputs() != wide)
-    reader.fail("a layer does not fit the one before");
+  made.widening = read_dense(reader, wide);
   made.narrowing = read_dense(reader, made.widening.outputs(), wide);
   return made;
 }
@@ -165,9 +163,7 @@ Expected<void> SentenceEncoder::read_parts(std::string_view bytes) {
     layers_.push_back(Layer::read(reader, width));
     width = layers_.back().attended.outputs();
   }
-  last_ = Dense::read(reader);
-  if (last_.inputs() != width)
-    reader.fail("a layer does not fit the one before");
+  last_ = read_dense(reader, width);
   if (reader.ok() && !reader.at_end())
     reader.fail("there are more bytes than layers");
   if (!reader.ok())

@@ -8,6 +8,7 @@
 
 #include "adapters/nlu/forms/calendar.hpp"
 #include "adapters/nlu/forms/number_words.hpp"
+#include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/negation.hpp"
 #include "adapters/nlu/text/words.hpp"
 
@@ -17,14 +18,19 @@ namespace {
 
 using Phrase = std::vector<std::string>;
 
+Phrase phrase_of(std::string_view text) {
+  Phrase words;
+  for (auto& token : tokenize(text).list)
+    words.push_back(std::move(token.word));
+  return words;
+}
+
 // The filler phrases by their first word, so that each token needs one look-up.
 const TextMap<std::vector<Phrase>>& phrases() {
   static const auto table = [] {
     TextMap<std::vector<Phrase>> made;
     for (const auto phrase : filler_phrases()) {
-      Phrase words;
-      for (auto& token : tokenize(phrase).list)
-        words.push_back(std::move(token.word));
+      auto words = phrase_of(phrase);
       made[words[0]].push_back(std::move(words));
     }
     return made;
@@ -33,12 +39,12 @@ const TextMap<std::vector<Phrase>>& phrases() {
 }
 
 // Whether the phrase stands at this position.
-bool stands_at(const Phrase& phrase, const Tokens& tokens,
+bool stands_at(const Phrase& phrase, const std::vector<Token>& list,
                std::size_t position) {
-  if (position + phrase.size() > tokens.list.size())
+  if (position + phrase.size() > list.size())
     return false;
   for (std::size_t at = 0; at < phrase.size(); ++at)
-    if (tokens.list[position + at].word != phrase[at])
+    if (list[position + at].word != phrase[at])
       return false;
   return true;
 }
@@ -49,7 +55,7 @@ void mark_fillers(Utterance& utterance) {
     if (found == phrases().end())
       continue;
     for (const auto& phrase : found->second)
-      if (stands_at(phrase, utterance.tokens, at))
+      if (stands_at(phrase, utterance.tokens.list, at))
         for (std::size_t word = 0; word < phrase.size(); ++word)
           utterance.filler[at + word] = true;
   }
@@ -79,17 +85,22 @@ bool is_noise(const std::vector<Token>& list, std::size_t at) {
 }
 
 // What people say to win time in the middle of a sentence.
-constexpr std::array<std::string_view, 12> pauses{
-    "let me think",        "let me see",         "let me check",
-    "how do you say",      "how do you call it", "how shall i put it",
-    "what do you call it", "what is it called",  "what was it",
-    "what was it called",  "what is the name",   "what was the name"};
+const std::vector<Phrase>& pauses() {
+  static const std::vector<Phrase> all{
+      phrase_of("let me think"),        phrase_of("let me see"),
+      phrase_of("let me check"),        phrase_of("how do you say"),
+      phrase_of("how do you call it"),  phrase_of("how shall i put it"),
+      phrase_of("what do you call it"), phrase_of("what is it called"),
+      phrase_of("what was it"),         phrase_of("what was it called"),
+      phrase_of("what is the name"),    phrase_of("what was the name")};
+  return all;
+}
 
 bool goes_on(std::string_view word) {
   static constexpr std::array<std::string_view, 12> words{
       "to",  "from", "with", "is",    "are",  "am",
       "was", "see",  "meet", "about", "need", "want"};
-  return is_light(word) || std::ranges::find(words, word) != words.end();
+  return is_light(word) || has(words, word);
 }
 
 // How many words of such a pause stand between commas: "I am here for, let me
@@ -97,15 +108,11 @@ bool goes_on(std::string_view word) {
 std::size_t pause_at(const std::vector<Token>& list, std::size_t at) {
   if (at == 0 || list[at].before != Break::comma)
     return 0;
-  for (const auto pause : pauses) {
-    if (pause.starts_with("let me") && !goes_on(list[at - 1].word))
-      continue;
-    std::string said;
-    auto end = at;
-    for (; end < list.size() && said.size() < pause.size(); ++end)
-      said += (said.empty() ? "" : " ") + list[end].word;
-    if (said == pause && end < list.size() && list[end].before == Break::comma)
-      return end - at;
+  for (const auto& pause : pauses()) {
+    const auto end = at + pause.size();
+    if (stands_at(pause, list, at) && end < list.size() &&
+        list[end].before == Break::comma)
+      return pause[0] != "let" || goes_on(list[at - 1].word) ? pause.size() : 0;
   }
   return 0;
 }
@@ -195,8 +202,7 @@ bool is_all_number(const std::vector<Token>& list, std::size_t at) {
   const auto begin = at;
   for (; at < list.size() && (at == begin || list[at].before == Break::none);
        ++at)
-    if (!begins_number(list[at].word) &&
-        std::ranges::find(words, list[at].word) == words.end())
+    if (!begins_number(list[at].word) && !has(words, list[at].word))
       return false;
   return at > begin && list[begin].before != Break::sentence &&
          begins_number(list[begin].word);
@@ -205,7 +211,7 @@ bool is_all_number(const std::vector<Token>& list, std::size_t at) {
 bool mends(std::string_view word) {
   static constexpr std::array<std::string_view, 10> words{
       "wait", "sorry", "i", "mean", "make", "it", "that", "rather", "at", "a"};
-  return std::ranges::find(words, word) != words.end();
+  return has(words, word);
 }
 
 // "At four. No, half past four, to Orchard Road": a number that is mended at

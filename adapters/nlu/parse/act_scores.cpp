@@ -1,10 +1,10 @@
 #include "adapters/nlu/parse/act_scores.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 #include <string_view>
 
 #include "adapters/nlu/parse/question_words.hpp"
+#include "adapters/nlu/text/has.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -47,11 +47,6 @@ double repeated(const BuiltAct& act, const std::vector<double>& covered,
     if (covered[token] == 0 && question.has(token))
       sum += utterance.weight[token];
   return sum;
-}
-
-bool is_one_of(std::string_view word,
-               std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
 }
 
 // A clause that tells why: "he is busy", "my son is here", "it is only rain".

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "adapters/nlu/forms/number_words.hpp"
+#include "adapters/nlu/text/has.hpp"
 #include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::nlu {
@@ -21,11 +22,6 @@ constexpr std::array<std::string_view, 24> measures{
 
 // As many as this many tokens make an amount: "two hundred and five".
 constexpr std::size_t longest = 5;
-
-template <class All>
-bool has(const All& all, std::string_view word) {
-  return std::ranges::find(all, word) != all.end();
-}
 
 bool is_article(std::string_view word) {
   return word == "a" || word == "an" || word == "one";

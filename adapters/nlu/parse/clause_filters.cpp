@@ -5,15 +5,11 @@
 #include <string_view>
 
 #include "adapters/nlu/parse/question_words.hpp"
+#include "adapters/nlu/text/has.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
-
-template <class All>
-bool has(const All& all, std::string_view word) {
-  return std::ranges::find(all, word) != all.end();
-}
 
 class Clauses {
 public:

@@ -2,6 +2,7 @@
 // numbers. The keys are listed at the end of runtime/message/understanding.hpp.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct Context {
   // Whether an act about it gets anything.
   bool expects(TopicNumber topic) const {
     return topic == asked_topic || bonus(topic) > 0;
+  }
+  bool expects_any(const std::vector<TopicNumber>& topics) const {
+    return std::ranges::any_of(
+        topics, [this](TopicNumber topic) { return expects(topic); });
   }
   // Half of asked_bonus, for the slot whose question waits.
   double waiting_bonus(TopicNumber topic, bool fills_it) const;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "adapters/nlu/parse/question_words.hpp"
+#include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -38,11 +39,6 @@ bool is_harmless(std::string_view word, std::string_view before) {
       "very", "really", "already", "now", "then"};
   return is_pronoun(word) || std::ranges::find(others, word) != others.end() ||
          (is_pronoun(before) && std::ranges::find(verbs, word) != verbs.end());
-}
-
-template <class All, class One>
-bool has(const All& all, const One& one) {
-  return std::ranges::find(all, one) != all.end();
 }
 
 // Whether the act is this generic act, about no topic.

@@ -35,6 +35,15 @@ bool is_one_of_several(const Span& span) {
   return !span.unmatched && span.values.size() > 1;
 }
 
+// Whether it says what is wanted, in whatever words but with no value that
+// nobody knows.
+bool says_what(const Island& island, const Spans& spans) {
+  return island.is_content() && !island.rule->bare && !island.act.empty() &&
+         std::ranges::none_of(island.fills, [&](const Fill& fill) {
+           return fits(fill, spans, &Span::unmatched);
+         });
+}
+
 // Whether punctuation stands between them.
 bool is_apart(const Island& one, const Island& other,
               const Utterance& utterance) {
@@ -54,22 +63,22 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
   // be.
   if (std::ranges::any_of(islands, &Island::denies))
     return;
-  std::vector<const Fill*> sure;
+  std::vector<Fill> sure;
   for (const auto& island : islands)
     for (const auto& fill : island.fills)
       if (fits(fill, spans, is_certain) &&
           !fits(fill, spans, is_one_of_several))
-        sure.push_back(&fill);
+        sure.push_back(fill);
   // Of several people, a later word says which; in "Kelvin Palmer, no, Tan", it
   // is somebody else.
   const auto is_outshone = [&](const Fill& fill, const Island& island) {
     return std::ranges::any_of(
                sure,
-               [&](const Fill* other) {
-                 return other->slot == fill.slot &&
+               [&](const Fill& other) {
+                 return other.slot == fill.slot &&
                         (fits(fill, spans, is_guess) ||
                          (fits(fill, spans, is_one_of_several) &&
-                          fill.end <= other->begin));
+                          fill.end <= other.begin));
                }) &&
            std::ranges::none_of(island.topics, [&](TopicNumber topic) {
              return schema.at(topic).takes_many(fill.slot);
@@ -105,24 +114,16 @@ void leave_out_strangers(std::vector<Island>& islands,
            std::ranges::find_first_of(island.topics, other.topics) ==
                island.topics.end();
   };
-  // A sentence that says what is wanted, in whatever words.
-  const auto says_what = [&](const Island& island) {
-    return !island.rule->bare && island.is_content() && !island.act.empty() &&
-           std::ranges::none_of(island.fills, is_stranger);
-  };
   // While the conversation is about something else.
   const auto is_beside = [&](const Island& island) {
     const bool goes_on = context.asked_topic != no_topic ||
                          context.current != no_topic ||
                          context.completed != no_topic;
-    return goes_on &&
-           std::ranges::none_of(island.topics, [&](TopicNumber topic) {
-             return context.expects(topic);
-           });
+    return goes_on && !context.expects_any(island.topics);
   };
   std::vector<const Island*> better;
   for (const auto& island : islands)
-    if (is_better(island) || says_what(island))
+    if (is_better(island) || says_what(island, spans))
       better.push_back(&island);
   std::vector<Island> kept;
   for (const auto& island : islands) {
@@ -132,7 +133,7 @@ void leave_out_strangers(std::vector<Island>& islands,
                           std::ranges::none_of(island.fills, is_named);
     const bool is_story = nameless && (strange || is_beside(island));
     if (std::ranges::none_of(better, [&](const Island* other) {
-          return (is_story && says_what(*other) &&
+          return (is_story && says_what(*other, spans) &&
                   is_before_sentence(island, *other, utterance.tokens)) ||
                  (strange && is_better(*other) && island.act.empty() &&
                   is_apart(island, *other, utterance)) ||
@@ -188,26 +189,15 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
   // "No, B. 2B."
   if (std::ranges::any_of(islands, &Island::is_marker))
     return;
-  const auto says_what = [&](const Island& island) {
-    return island.is_content() && !island.rule->bare && !island.act.empty() &&
-           std::ranges::none_of(island.fills, [&](const Fill& fill) {
-             return fits(fill, spans, &Span::unmatched);
-           });
-  };
   const auto is_alike = [&](const Fill& fill) {
     return fits(fill, spans, [](const Span& span) {
       return !span.unmatched && span.confidence < 1;
     });
   };
-  const auto is_expected = [&](const Island& island) {
-    return std::ranges::any_of(island.topics, [&](TopicNumber topic) {
-      return context.expects(topic);
-    });
-  };
   // The sentences of what is wanted.
   std::vector<TokenRange> wanted;
   for (const auto& island : islands)
-    if (says_what(island))
+    if (says_what(island, spans))
       wanted.push_back(stretch_of(utterance.tokens, {island.begin, island.end},
                                   Break::sentence));
   const auto is_guessed = [&](const Fill& fill) {
@@ -224,12 +214,14 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
     return island.end <= sentence.begin || sentence.end <= island.begin;
   };
   std::erase_if(islands, [&](const Island& island) {
-    if (island.act.empty() && !island.fills.empty() && !is_expected(island) &&
+    if (island.act.empty() && !island.fills.empty() &&
+        !context.expects_any(island.topics) &&
         std::ranges::all_of(island.fills, is_past))
       return std::ranges::any_of(wanted, [&](TokenRange sentence) {
         return is_another(island, sentence);
       });
-    if (!island.rule->bare || island.fills.empty() || is_expected(island) ||
+    if (!island.rule->bare || island.fills.empty() ||
+        context.expects_any(island.topics) ||
         !std::ranges::all_of(island.fills, is_alike))
       return false;
     const bool guess = std::ranges::all_of(island.fills, is_guessed);

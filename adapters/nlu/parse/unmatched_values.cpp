@@ -47,9 +47,7 @@ public:
 
   // Whether the conversation is about it.
   bool is_expected(const Island& island) const {
-    return std::ranges::any_of(island.topics, [&](TopicNumber topic) {
-      return context_.expects(topic);
-    });
+    return context_.expects_any(island.topics);
   }
 
   // Whether its clause has words with a meaning that are none of the island.

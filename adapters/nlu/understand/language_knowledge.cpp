@@ -3,6 +3,8 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/base/outside/file_bytes.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {
@@ -23,10 +25,10 @@ template <class Knowledge>
 std::shared_ptr<const Knowledge>
 LanguageStore::read(Kept<Knowledge>& kept, const std::filesystem::path& path,
                     std::vector<Error>& errors) {
-  std::error_code none;
-  const auto written = std::filesystem::last_write_time(path, none);
-  if (none)
+  if (!is_there(path))
     return {};
+  std::error_code ignored; // reading it says what is wrong
+  const auto written = std::filesystem::last_write_time(path, ignored);
   if (kept.knowledge && kept.path == path && kept.written == written)
     return kept.knowledge;
   auto made = Knowledge::read(path);

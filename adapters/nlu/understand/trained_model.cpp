@@ -168,8 +168,9 @@ private:
     for (std::size_t at = 0; at < texts_.size(); ++at)
       texts_[at].features.sentence =
           learned_.language_.encoder->remember(said_[at]);
-    for (const auto& text : texts_)
-      learned_.nearest_.add(text.features.sentence, text.label);
+    if (learned_.beside_grammars_)
+      for (const auto& text : texts_)
+        learned_.nearest_.add(text.features.sentence, text.label);
     auto classifier =
         Classifier::train(texts_, labels, limits_.weights, Evidence::sentences);
     if (classifier)

@@ -112,7 +112,7 @@ private:
   TopicReader by_words_;
   // None without an encoder.
   std::optional<TopicReader> by_sentences_;
-  NearestSentences nearest_;
+  NearestSentences nearest_; // beside grammars
   Tagger tagger_;
   // The least share of an utterance that examples must have, if there are too
   // few of them for more. A few letters in common ("foo" and "for") stay below

@@ -1,9 +1,8 @@
 #include "script/dialogue/frame/shifted_time.hpp"
 
-#include <array>
-#include <cstdio>
 #include <string>
 
+#include <fmt/format.h>
 #include <re2/re2.h>
 
 namespace parlour::dialogue {
@@ -27,9 +26,7 @@ Value shifted_time(const Value& time, const Value& said) {
   const int moved = hour * 60 + minute + by;
   if (moved < 0 || moved >= minutes_of_day)
     return {};
-  std::array<char, 8> text{};
-  std::snprintf(text.data(), text.size(), "%02d:%02d", moved / 60, moved % 60);
-  return text.data();
+  return fmt::format("{:02}:{:02}", moved / 60, moved % 60);
 }
 
 } // namespace parlour::dialogue

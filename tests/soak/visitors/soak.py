@@ -77,7 +77,8 @@ class Soak:
         self.application = in_processes(options.application, folder)
         self.script = self.application / f"{self.application.name}.xml"
         self.text = self.script.read_text()
-        self.journal = ["--journal", str(pathlib.Path(folder) / "journal")]
+        journal = pathlib.Path(folder) / "journal"
+        self.journal = ["--journal", str(journal)] if options.journal else []
         self.port = free_port()
         self.log = pathlib.Path(folder) / "log"
         # Where the server is found: no other run of this application is.
@@ -91,7 +92,7 @@ class Soak:
         self.server = subprocess.Popen(
             [self.options.program, "serve", str(self.application), "--rehearsed",
              "--clock", CLOCK, "--sessions", "20000", "--seed", "1", "--port",
-             str(self.port), *(self.journal if self.options.journal else [])],
+             str(self.port), *self.journal],
             stdout=subprocess.PIPE, stderr=self.log.open("wb"),
             env=self.environment)
         if b"is served at" not in self.server.stdout.readline():

@@ -1,0 +1,20 @@
+// Whether something is in a short list, where each element is looked at.
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
+namespace parlour::adapters::nlu {
+
+template <class All, class One>
+bool has(const All& all, const One& one) {
+  return std::ranges::find(all, one) != all.end();
+}
+
+inline bool is_one_of(std::string_view word,
+                      std::initializer_list<std::string_view> words) {
+  return has(words, word);
+}
+
+} // namespace parlour::adapters::nlu

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace parlour {
@@ -48,18 +49,27 @@ public:
         columns_(std::min<std::size_t>(right.size(), longest)) {
     // Row 0: every letter of `right` is inserted.
     (*last_)[0] = 0;
-    for (std::size_t j = 1; j <= columns_; ++j)
-      (*last_)[j] = (*last_)[j - 1] + extra(right_, j);
+    for (std::size_t j = 1; j <= columns_; ++j) {
+      extra_[j] = extra(right_, j);
+      (*last_)[j] = (*last_)[j - 1] + extra_[j];
+    }
   }
 
+  // Some distance above `most` if it is more than that, which is known early.
   // May be called once, because it overwrites the rows.
-  Number distance() {
+  Number distance(Number most) {
     const auto rows = std::min<std::size_t>(left_.size(), longest);
+    Number least_before = 0; // of the row before the last one
+    Number least = 0;
     // `last_` holds row i - 1 and `before_` holds row i - 2.
     for (std::size_t i = 1; i <= rows; ++i) {
-      fill_row(i);
+      const auto least_here = fill_row(i);
+      least_before = std::exchange(least, least_here);
       std::swap(before_, last_);
       std::swap(last_, row_);
+      // Each way goes on from the last row, or by a swap from the one before.
+      if (least > most && least_before + Costs::swapped > most)
+        return std::min(least, least_before + Costs::swapped);
     }
     return (*last_)[columns_];
   }
@@ -67,18 +77,21 @@ public:
 private:
   using Row = std::array<Number, longest + 1>;
 
-  void fill_row(std::size_t i) {
+  // Returns the least of the row.
+  Number fill_row(std::size_t i) {
     const auto left_extra = extra(left_, i);
-    (*row_)[0] = (*last_)[0] + left_extra;
+    auto least = (*row_)[0] = (*last_)[0] + left_extra;
     for (std::size_t j = 1; j <= columns_; ++j) {
       auto& cell = (*row_)[j];
       // The last letters are replaced (or equal), removed or inserted.
       cell = std::min(
           {(*last_)[j - 1] + Costs::change(left_[i - 1], right_[j - 1]),
-           (*last_)[j] + left_extra, (*row_)[j - 1] + extra(right_, j)});
+           (*last_)[j] + left_extra, (*row_)[j - 1] + extra_[j]});
       if (are_swapped(i, j))
         cell = std::min(cell, (*before_)[j - 2] + Costs::swapped);
+      least = std::min(least, cell);
     }
+    return least;
   }
 
   bool are_swapped(std::size_t i, std::size_t j) const {
@@ -94,6 +107,7 @@ private:
   const Text& left_;
   const Text& right_;
   std::size_t columns_;
+  Row extra_; // of the letters of `right_`
   std::array<Row, 3> rows_;
   Row* before_ = &rows_[0];
   Row* last_ = &rows_[1];
@@ -102,10 +116,14 @@ private:
 
 // The edit distance of two texts, in which no letter is edited twice (the
 // restricted distance of Damerau and Levenshtein, also called optimal string
-// alignment). Only the first `longest` letters of each text count.
+// alignment). Only the first `longest` letters of each text count. Of texts
+// that are further apart than `most` it is any distance above that.
 template <std::size_t longest, class Costs = PlainCosts, class Text>
-typename Costs::Number edit_distance(const Text& left, const Text& right) {
-  return EditTable<longest, Costs, Text>(left, right).distance();
+typename Costs::Number
+edit_distance(const Text& left, const Text& right,
+              typename Costs::Number most =
+                  std::numeric_limits<typename Costs::Number>::max()) {
+  return EditTable<longest, Costs, Text>(left, right).distance(most);
 }
 
 } // namespace parlour

@@ -1,18 +1,18 @@
 #include "adapters/nlu/forms/first_words.hpp"
 
 #include <algorithm>
-#include <unordered_set>
 
 #include "adapters/nlu/forms/calendar.hpp"
 #include "adapters/nlu/forms/number_words.hpp"
+#include "adapters/nlu/text/word_set.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
 
 // Besides number words, digits, months and weekdays.
-const std::unordered_set<std::string_view>& other_first_words() {
-  static const std::unordered_set<std::string_view> words{
+const WordSet& other_first_words() {
+  static const WordSet words{
       // counts
       "a", "an", "half", "quarter", "couple", "pair", "dozen",
       // digits and signs

@@ -28,6 +28,12 @@ inline constexpr WordNumber unknown_word = 0;
 // wanted.
 enum class TagKind : std::uint8_t { slot, act, topic, asked, denies };
 
+// Whether it takes the words between its opening and its closing. Of others
+// only the closing counts.
+constexpr bool has_extent(TagKind kind) {
+  return kind == TagKind::slot || kind == TagKind::asked;
+}
+
 struct TagInfo {
   TagKind kind = TagKind::slot;
   // The name of the slot, or the act.
@@ -66,6 +72,8 @@ struct Accept {
   std::uint32_t rule = 0;
   std::uint32_t actions = 0;
   float weight = 0;
+
+  bool operator==(const Accept&) const = default;
 };
 
 // One of 64 bits for each word, by which a set of words is known not to have

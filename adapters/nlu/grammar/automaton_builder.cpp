@@ -78,11 +78,11 @@ void AutomatonBuilder::add(const jsgf::Node& body, RuleInfo info) {
 void AutomatonBuilder::add_public(const jsgf::Node& body, RuleInfo info,
                                   const SourceLocation& place) {
   const auto rule = static_cast<std::uint32_t>(automaton_.rules.size());
-  const auto first_tag = automaton_.tags.size();
+  own_tags_.clear();
   const auto begin = new_node(place);
   link(0, begin);
   nodes_[build(body, begin)].accepts.push_back(rule);
-  check_topic(info, first_tag, place);
+  check_topic(info);
   automaton_.rules.push_back(std::move(info));
 }
 
@@ -226,10 +226,8 @@ AutomatonBuilder::build_reference(const jsgf::Node& node, NodeId from) {
               reference->topic,
               false,
               {}};
-  const auto number = static_cast<std::uint32_t>(automaton_.tags.size());
-  automaton_.tags.push_back(std::move(tag));
-  tag_places_.push_back(node.place);
-  return tagged(from, begin, end, number, node.place);
+  return tagged(from, begin, end, number_of(std::move(tag), node.place),
+                node.place);
 }
 
 AutomatonBuilder::NodeId
@@ -303,9 +301,19 @@ std::optional<std::uint32_t> AutomatonBuilder::add_tag(const jsgf::Tag& tag) {
   }
   if (!made)
     return {};
-  automaton_.tags.push_back(std::move(*made));
-  tag_places_.push_back(tag.place);
-  return static_cast<std::uint32_t>(automaton_.tags.size() - 1);
+  return number_of(std::move(*made), tag.place);
+}
+
+std::uint32_t AutomatonBuilder::number_of(TagInfo tag,
+                                          const SourceLocation& place) {
+  const auto next = static_cast<std::uint32_t>(automaton_.tags.size());
+  const auto value = tag.has_value ? to_string(tag.value) : "";
+  const auto [found, is_new] =
+      tag_numbers_.try_emplace({tag.kind, tag.name, tag.topic, value}, next);
+  if (is_new)
+    automaton_.tags.push_back(std::move(tag));
+  own_tags_.emplace_back(found->second, place);
+  return found->second;
 }
 
 // A tag that is no slot may be another kind of tag with a wrong value.
@@ -336,22 +344,21 @@ std::optional<TagInfo> AutomatonBuilder::slot_tag(const jsgf::Tag& tag) {
 }
 
 // A rule that is about one topic only may fill slots of that topic only.
-void AutomatonBuilder::check_topic(const RuleInfo& info, std::size_t first_tag,
-                                   const SourceLocation&) {
+void AutomatonBuilder::check_topic(const RuleInfo& info) {
   std::set<TopicNumber> topics;
   if (info.topic != no_topic)
     topics.insert(info.topic);
-  for (auto at = first_tag; at < automaton_.tags.size(); ++at)
-    if (automaton_.tags[at].topic != no_topic)
-      topics.insert(automaton_.tags[at].topic);
+  for (const auto& [number, place] : own_tags_)
+    if (automaton_.tags[number].topic != no_topic)
+      topics.insert(automaton_.tags[number].topic);
   // With several topics, or none, a slot may belong to any of them.
   if (topics.size() != 1)
     return;
   const auto& topic = schema_.at(*topics.begin());
-  for (auto at = first_tag; at < automaton_.tags.size(); ++at) {
-    const auto& tag = automaton_.tags[at];
+  for (const auto& [number, place] : own_tags_) {
+    const auto& tag = automaton_.tags[number];
     if (tag.kind == TagKind::slot && !topic.find(tag.name))
-      error(tag_places_[at],
+      error(place,
             "the topic '" + topic.name + "' has no slot '" + tag.name + "'" +
                 did_you_mean(tag.name, schema_.slot_names(*topics.begin())));
   }

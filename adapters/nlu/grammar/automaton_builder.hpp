@@ -12,6 +12,7 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -94,11 +95,12 @@ private:
                 std::uint32_t tag, const SourceLocation& place);
 
   std::optional<std::uint32_t> add_tag(const jsgf::Tag& tag);
+  // Equal tags share one number.
+  std::uint32_t number_of(TagInfo tag, const SourceLocation& place);
   std::optional<TagInfo> slot_tag(const jsgf::Tag& tag);
   std::string no_such_slot(const jsgf::Tag& tag) const;
   // Reports a slot that does not belong to the rule's topic.
-  void check_topic(const RuleInfo& info, std::size_t first_tag,
-                   const SourceLocation& place);
+  void check_topic(const RuleInfo& info);
 
   // The state of a node, new if it has none yet.
   std::uint32_t state_of(NodeId node);
@@ -123,7 +125,12 @@ private:
   const jsgf::Grammar* grammar_ = nullptr;
   // The rules that are being copied, to find one that refers to itself.
   std::vector<const jsgf::Rule*> inside_;
-  std::vector<SourceLocation> tag_places_;
+  // By kind, name, topic and value.
+  std::map<std::tuple<TagKind, std::string, TopicNumber, std::string>,
+           std::uint32_t>
+      tag_numbers_;
+  // Of the rule that is being added: its tags, and where they stand.
+  std::vector<std::pair<std::uint32_t, SourceLocation>> own_tags_;
   std::size_t arcs_ = 0;
   bool too_large_ = false;
 };

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <string_view>
-#include <unordered_set>
 
 #include "adapters/nlu/forms/number_words.hpp"
+#include "adapters/nlu/text/word_set.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
 
-using Words = std::unordered_set<std::string_view>;
+using Words = WordSet;
 // A bit for each choice. Of more, nobody says which by its place.
 using Choices = std::uint32_t;
 constexpr std::size_t max_choices = 16;

@@ -133,14 +133,11 @@ void leave_out_half_clauses(std::vector<Island>& islands,
                             const Utterance& utterance,
                             const Context& context) {
   const Clauses clauses(islands, utterance, context);
-  // All are judged before one is removed.
-  std::vector<Island> kept;
-  for (const auto& island : islands)
-    if (!clauses.is_stop_of_question(island) &&
-        !clauses.is_half_a_yes(island) && !clauses.is_tag_within(island) &&
-        !clauses.is_bye_within(island))
-      kept.push_back(island);
-  islands = std::move(kept);
+  leave_out(islands, [&](const Island& island) {
+    return clauses.is_stop_of_question(island) ||
+           clauses.is_half_a_yes(island) || clauses.is_tag_within(island) ||
+           clauses.is_bye_within(island);
+  });
 }
 
 } // namespace parlour::adapters::nlu

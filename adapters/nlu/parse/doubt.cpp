@@ -330,15 +330,12 @@ bool says_otherwise(const Island& own, const Island& answer) {
 } // namespace
 
 void prefer_application(std::vector<Island>& islands) {
-  // All are judged before one is removed.
-  std::vector<Island> kept;
-  for (const auto& island : islands)
-    if (!island.rule->generic || !island.asked || island.fills.empty() ||
-        std::ranges::none_of(islands, [&](const Island& own) {
-          return says_otherwise(own, island);
-        }))
-      kept.push_back(island);
-  islands = std::move(kept);
+  leave_out(islands, [&](const Island& island) {
+    return island.rule->generic && island.asked && !island.fills.empty() &&
+           std::ranges::any_of(islands, [&](const Island& own) {
+             return says_otherwise(own, island);
+           });
+  });
   // What an application's rule only guesses is no better: in "let me see",
   // nobody is called See.
   struct Own {

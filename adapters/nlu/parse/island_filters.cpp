@@ -125,24 +125,21 @@ void leave_out_strangers(std::vector<Island>& islands,
   for (const auto& island : islands)
     if (is_better(island) || says_what(island, spans))
       better.push_back(&island);
-  std::vector<Island> kept;
-  for (const auto& island : islands) {
+  leave_out(islands, [&](const Island& island) {
     const bool strange =
         !island.fills.empty() && std::ranges::all_of(island.fills, is_stranger);
     const bool nameless = std::ranges::any_of(island.fills, is_stranger) &&
                           std::ranges::none_of(island.fills, is_named);
     const bool is_story = nameless && (strange || is_beside(island));
-    if (std::ranges::none_of(better, [&](const Island* other) {
-          return (is_story && says_what(*other, spans) &&
-                  is_before_sentence(island, *other, utterance.tokens)) ||
-                 (strange && is_better(*other) && island.act.empty() &&
-                  is_apart(island, *other, utterance)) ||
-                 (strange && nameless && !is_apart(island, *other, utterance) &&
-                  is_foreign(island, *other));
-        }))
-      kept.push_back(island);
-  }
-  islands = std::move(kept);
+    return std::ranges::any_of(better, [&](const Island* other) {
+      return (is_story && says_what(*other, spans) &&
+              is_before_sentence(island, *other, utterance.tokens)) ||
+             (strange && is_better(*other) && island.act.empty() &&
+              is_apart(island, *other, utterance)) ||
+             (strange && nameless && !is_apart(island, *other, utterance) &&
+              is_foreign(island, *other));
+    });
+  });
 }
 
 namespace {

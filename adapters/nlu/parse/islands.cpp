@@ -7,7 +7,7 @@ namespace parlour::adapters::nlu {
 namespace {
 
 // Replays the trace of a match. Tags are properly nested, so a stack of open
-// tags is enough; a tag takes effect when it closes.
+// tags is enough, of those with an extent; a tag takes effect when it closes.
 class IslandReader {
 public:
   IslandReader(const std::vector<Trace>& traces, const Spans& spans,
@@ -36,10 +36,9 @@ public:
 
 private:
   struct Opened {
-    std::uint32_t tag;
-    std::uint32_t position;
+    std::uint32_t position = 0;
     // How many spans had been seen when the tag was opened.
-    std::size_t spans;
+    std::size_t spans = 0;
   };
 
   // Puts the trace, which is stored newest first, in order.
@@ -53,18 +52,24 @@ private:
   void follow(const Trace& trace) {
     switch (trace.kind) {
     case Trace::Kind::open:
-      opened_.push_back({trace.what, trace.position, seen_.size()});
+      if (has_extent(automaton_.tags[trace.what].kind))
+        opened_.push_back({trace.position, seen_.size()});
       return;
     case Trace::Kind::span:
       seen_.push_back(trace.what);
       return;
     case Trace::Kind::close:
-      if (!opened_.empty()) {
-        const auto opened = opened_.back();
-        opened_.pop_back();
-        apply(automaton_.tags[opened.tag], opened, trace.position);
-      }
+      close(automaton_.tags[trace.what], trace.position);
     }
+  }
+
+  void close(const TagInfo& tag, std::uint32_t end) {
+    Opened opened;
+    if (has_extent(tag.kind) && !opened_.empty()) {
+      opened = opened_.back();
+      opened_.pop_back();
+    }
+    apply(tag, opened, end);
   }
 
   void apply(const TagInfo& tag, const Opened& opened, std::uint32_t end) {

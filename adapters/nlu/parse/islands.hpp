@@ -60,6 +60,17 @@ struct Island {
   const Fill* find(std::string_view slot) const;
 };
 
+// Leaves out those of which it holds. All are judged before one is removed.
+template <class Predicate>
+void leave_out(std::vector<Island>& islands, const Predicate& is_out) {
+  std::vector<bool> out;
+  out.reserve(islands.size());
+  for (const auto& island : islands)
+    out.push_back(is_out(island));
+  std::size_t at = 0;
+  std::erase_if(islands, [&](const Island&) { return out[at++]; });
+}
+
 // Whether the one ends before the sentence in which the other begins.
 bool is_before_sentence(const Island& one, const Island& other,
                         const Tokens& tokens);

@@ -1,6 +1,7 @@
 #include "adapters/nlu/parse/matcher.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace parlour::adapters::nlu {
@@ -10,7 +11,7 @@ namespace {
 // How many partial matches are kept at a token, and for how many memory is
 // reserved.
 constexpr std::size_t max_items = 400;
-constexpr std::size_t usual_items = 64;
+constexpr std::size_t usual_items = 16;
 // How many matches may end at a token.
 constexpr std::size_t max_matches = 32;
 // How many words in a row may be skipped; fillers do not count.
@@ -36,6 +37,10 @@ float break_cost(Break found) {
   return 0;
 }
 
+std::uint8_t one_more(std::uint8_t count) {
+  return count < 250 ? count + 1 : count;
+}
+
 } // namespace
 
 Matcher::Matcher(const Automaton& automaton, const Utterance& utterance,
@@ -59,7 +64,7 @@ std::vector<Match> Matcher::run() {
   // leads to a later token. A new match may begin at each token.
   for (std::uint32_t at = 0; at < utterance_.size(); ++at) {
     auto items = std::exchange(items_[at], {});
-    tidy(items);
+    limit(items);
     for (const auto& item : items)
       step(at, item);
     Item start;
@@ -69,7 +74,11 @@ std::vector<Match> Matcher::run() {
   }
   std::vector<Match> matches;
   for (auto& ending : found_) {
-    std::ranges::stable_sort(ending, std::greater(), &Match::score);
+    // Of equally good ones that which fills more, then the first in the
+    // grammar.
+    std::ranges::stable_sort(ending, std::greater(), [](const Match& match) {
+      return std::tuple(match.score, match.filled);
+    });
     if (ending.size() > max_matches)
       ending.resize(max_matches);
     matches.insert(matches.end(), ending.begin(), ending.end());
@@ -77,23 +86,27 @@ std::vector<Match> Matcher::run() {
   return matches;
 }
 
-// Keeps the best partial match for each state, beginning and strength, and at
-// most max_items of all.
-void Matcher::tidy(std::vector<Item>& items) const {
-  std::ranges::stable_sort(items, [](const Item& left, const Item& right) {
-    if (left.state != right.state)
-      return left.state < right.state;
-    if (left.begin != right.begin)
-      return left.begin < right.begin;
-    if (left.weak != right.weak)
-      return right.weak;
-    return left.score > right.score;
-  });
-  const auto same = [](const Item& left, const Item& right) {
-    return left.state == right.state && left.begin == right.begin &&
-           left.weak == right.weak;
-  };
-  items.erase(std::unique(items.begin(), items.end(), same), items.end());
+// Keeps the best partial match for each state, beginning and strength; of
+// equally good ones the first. They stay in the order of the grammar.
+void Matcher::carry(const Item& item, std::size_t position) {
+  if (!may_go_on(item.state, position))
+    return;
+  auto& items = items_[position];
+  for (auto& other : items) {
+    if (other.state != item.state || other.begin != item.begin ||
+        other.weak != item.weak)
+      continue;
+    if (std::tie(item.score, item.filled) > std::tie(other.score, other.filled))
+      other = item;
+    return;
+  }
+  if (items.size() == 2 * max_items)
+    limit(items);
+  items.push_back(item);
+}
+
+// Keeps the best max_items.
+void Matcher::limit(std::vector<Item>& items) {
   if (items.size() <= max_items)
     return;
   std::ranges::stable_sort(items, std::greater(), &Item::score);
@@ -120,8 +133,7 @@ void Matcher::skip(std::size_t position, const Item& item) {
   else
     next.score -= utterance_.function[position] ? 0.25F : 0.6F;
   next.score -= break_cost(utterance_.tokens.list[position].before);
-  if (may_go_on(next.state, position + 1))
-    items_[position + 1].push_back(next);
+  carry(next, position + 1);
 }
 
 std::uint64_t Matcher::bits_ahead(std::size_t position) const {
@@ -168,12 +180,12 @@ void Matcher::follow_word(std::size_t position, const Item& item,
   for (const auto& arc : arcs_of(state.words, word)) {
     ++work_;
     auto next = item;
-    next.trace = follow(item.trace, arc.actions, here, item.last);
+    follow(next, arc.actions, here);
     next.state = arc.target;
     next.last = here + 1;
     next.skipped = 0;
     next.weak = false;
-    next.words = static_cast<std::uint8_t>(std::min(item.words + 1, 250));
+    next.words = one_more(item.words);
     const auto weight = utterance_.weight[position];
     next.score += std::max(weight, filler_gain) + arc.weight - cost;
     next.covered += weight;
@@ -228,7 +240,7 @@ void Matcher::take_span(const Item& item, const Arc& arc, std::uint32_t index,
                         bool expected) {
   const auto& span = spans_[index];
   auto next = item;
-  next.trace = follow(item.trace, arc.actions, span.begin, item.last);
+  follow(next, arc.actions, span.begin);
   next.trace = push({next.trace, index, span.begin, Trace::Kind::span});
   next.state = arc.target;
   next.last = span.end;
@@ -244,37 +256,42 @@ void Matcher::take_span(const Item& item, const Arc& arc, std::uint32_t index,
 void Matcher::reach(const Item& item, std::size_t position) {
   for (const auto& accepted : automaton_.states[item.state].accepts)
     accept(item, accepted);
-  if (may_go_on(item.state, position))
-    items_[position].push_back(item);
+  carry(item, position);
 }
 
 // Records a match. Of several matches of the same rule, tokens and strength,
-// the best is kept. Only a rule of nothing but a value may consist of a weak
-// value.
+// the best is kept, of equally good ones the one that fills more. Only a rule
+// of nothing but a value may consist of a weak value.
 void Matcher::accept(const Item& item, const Accept& accepted) {
   const auto& rule = automaton_.rules[accepted.rule];
   if ((item.weak && !rule.bare) || !is_tried(rule))
     return;
-  Match match{accepted.rule, item.begin,
-              item.last,     item.score + accepted.weight + rule.bias,
-              item.covered,  0,
-              item.weak};
-  // A value without a sentence around it counts as understood a little less.
-  if (rule.bare)
-    match.covered *= 0.9F;
+  auto whole = item;
+  whole.score += accepted.weight + rule.bias;
   auto& ending = found_[item.last];
-  for (auto& other : ending) {
-    if (other.rule != match.rule || other.begin != match.begin ||
-        other.weak != match.weak)
-      continue;
-    if (other.score < match.score) {
-      match.trace = follow(item.trace, accepted.actions, item.last, item.last);
-      other = match;
-    }
+  const auto same = std::ranges::find_if(ending, [&](const Match& other) {
+    return other.rule == accepted.rule && other.begin == item.begin &&
+           other.weak == item.weak;
+  });
+  if (same != ending.end() && same->score > whole.score)
     return;
-  }
-  match.trace = follow(item.trace, accepted.actions, item.last, item.last);
-  ending.push_back(match);
+  follow(whole, accepted.actions, item.last);
+  if (same != ending.end() && std::tie(same->score, same->filled) >=
+                                  std::tie(whole.score, whole.filled))
+    return;
+  // A value without a sentence around it counts as understood a little less.
+  const Match match{accepted.rule,
+                    item.begin,
+                    item.last,
+                    whole.score,
+                    item.covered * (rule.bare ? 0.9F : 1),
+                    whole.trace,
+                    item.weak,
+                    whole.filled};
+  if (same != ending.end())
+    *same = match;
+  else
+    ending.push_back(match);
 }
 
 // Examples and bare values belong to no grammar, so they are not tried if the
@@ -285,12 +302,16 @@ bool Matcher::is_tried(const RuleInfo& rule) const {
 
 // Opening and closing are recorded at different positions: a tag opens at the
 // next token, and closes behind the last token that was taken.
-std::uint32_t Matcher::follow(std::uint32_t trace, std::uint32_t actions,
-                              std::uint32_t open_at, std::uint32_t close_at) {
-  for (const auto& action : automaton_.actions[actions])
-    trace = push({trace, action.tag, action.opens ? open_at : close_at,
-                  action.opens ? Trace::Kind::open : Trace::Kind::close});
-  return trace;
+void Matcher::follow(Item& item, std::uint32_t actions, std::uint32_t open_at) {
+  for (const auto& action : automaton_.actions[actions]) {
+    if (action.opens)
+      item.trace = push({item.trace, action.tag, open_at, Trace::Kind::open});
+    else
+      item.trace =
+          push({item.trace, action.tag, item.last, Trace::Kind::close});
+    if (!action.opens && has_extent(automaton_.tags[action.tag].kind))
+      item.filled = one_more(item.filled);
+  }
 }
 
 std::uint32_t Matcher::push(Trace trace) {

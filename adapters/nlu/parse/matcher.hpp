@@ -49,6 +49,8 @@ struct Match {
   // A value that counts only if one is expected, such as after a correction
   // ("no, four").
   bool weak = false;
+  // How many slots were filled on the way.
+  std::uint8_t filled = 0;
 };
 
 // One search of one utterance. Refers to its arguments, which must outlive it.
@@ -86,9 +88,11 @@ private:
     // How many tokens were skipped since the last one was taken.
     std::uint8_t skipped = 0;
     bool weak = false;
+    std::uint8_t filled = 0;
   };
 
-  void tidy(std::vector<Item>& items) const;
+  void carry(const Item& item, std::size_t position);
+  static void limit(std::vector<Item>& items);
   // The ways to go on from a token: take a word, take a value, skip the token.
   void step(std::size_t position, const Item& item);
   void skip(std::size_t position, const Item& item);
@@ -104,9 +108,8 @@ private:
   bool may_go_on(std::uint32_t state, std::size_t position) const;
   void accept(const Item& item, const Accept& accept);
   bool is_tried(const RuleInfo& rule) const;
-  // Records the actions of an arc.
-  std::uint32_t follow(std::uint32_t trace, std::uint32_t actions,
-                       std::uint32_t open_at, std::uint32_t close_at);
+  // Records the actions of an arc that is taken next.
+  void follow(Item& item, std::uint32_t actions, std::uint32_t open_at);
   std::uint32_t push(Trace trace);
 
   const Automaton& automaton_;

@@ -275,12 +275,8 @@ void drop_implausible(std::vector<Island>& islands, const Utterance& utterance,
                                              island.asked}) < in_doubt);
     });
   };
-  // All are judged before one is removed: they explain words to each other.
-  std::vector<Island> kept;
-  for (const auto& island : islands)
-    if (!is_implausible(island))
-      kept.push_back(island);
-  islands = std::move(kept);
+  // They explain words to each other.
+  leave_out(islands, is_implausible);
 }
 
 bool is_spelt(const Tokens& tokens, TokenRange range) {

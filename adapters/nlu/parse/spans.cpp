@@ -60,9 +60,12 @@ bool is_number_like(const Tokens& tokens, std::size_t position) {
 Spans::Spans(const Schema& schema, const Utterance& utterance,
              const std::vector<EntityId>& entities, Now now)
     : schema_(schema), utterance_(utterance), plain_(utterance.plain),
-      by_begin_(utterance.size()) {
+      by_begin_(utterance.size()), opened_(utterance.size()) {
   add_forms(entities, now);
   add_values(entities);
+  for (auto& indices : by_begin_)
+    std::ranges::stable_sort(
+        indices, {}, [&](std::uint32_t index) { return spans_[index].entity; });
 }
 
 void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
@@ -138,22 +141,18 @@ void Spans::add(Span span) {
   }
 }
 
-std::vector<std::uint32_t> Spans::at(EntityId entity,
-                                     std::size_t position) const {
-  std::vector<std::uint32_t> found;
-  for (const auto index : by_begin_[position])
-    if (spans_[index].entity == entity && !spans_[index].unmatched)
-      found.push_back(index);
-  return found;
+Spans::Indices Spans::at(EntityId entity, std::size_t position) const {
+  return std::ranges::equal_range(
+      by_begin_[position], entity, {},
+      [&](std::uint32_t index) { return spans_[index].entity; });
 }
 
 // Whether a value of this entity begins in [first, last).
 bool Spans::value_near(EntityId entity, std::size_t first,
                        std::size_t last) const {
-  for (auto at = first; at < last && at < by_begin_.size(); ++at)
-    for (const auto index : by_begin_[at])
-      if (spans_[index].entity == entity && !spans_[index].unmatched)
-        return true;
+  for (auto begin = first; begin < last && begin < by_begin_.size(); ++begin)
+    if (!at(entity, begin).empty())
+      return true;
   return false;
 }
 
@@ -210,19 +209,22 @@ Spans::open_number(EntityId entity, std::size_t position, std::size_t most) {
   return {static_cast<std::uint32_t>(spans_.size() - 1)};
 }
 
-std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
-                                       std::size_t most) {
+Spans::Indices Spans::open(EntityId entity, std::size_t position,
+                           std::size_t most) {
   // The matcher asks the same for every partial match at this position.
-  for (const auto& opened : opened_)
-    if (opened.entity == entity && opened.position == position &&
-        opened.most == most)
+  for (const auto& opened : opened_[position])
+    if (opened.entity == entity && opened.most == most)
       return opened.spans;
-  Opened made{entity, position, most, {}};
-  if (is_form(entity)) {
-    made.spans = open_number(entity, position, most);
-    opened_.push_back(made);
-    return made.spans;
-  }
+  opened_[position].push_back({entity, most,
+                               is_form(entity)
+                                   ? open_number(entity, position, most)
+                                   : open_words(entity, position, most)});
+  return opened_[position].back().spans;
+}
+
+std::vector<std::uint32_t>
+Spans::open_words(EntityId entity, std::size_t position, std::size_t most) {
+  std::vector<std::uint32_t> made;
   const bool of_set = is_set(entity);
   const auto size = utterance_.size();
   // Titles and determiners may precede the value.
@@ -247,7 +249,7 @@ std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
     if (!can_stand(at))
       continue;
     const auto weight = utterance_.weight_of(position, at + 1);
-    made.spans.push_back(static_cast<std::uint32_t>(spans_.size()));
+    made.push_back(static_cast<std::uint32_t>(spans_.size()));
     spans_.push_back({entity,
                       static_cast<std::uint32_t>(position),
                       static_cast<std::uint32_t>(at + 1),
@@ -260,15 +262,20 @@ std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
                       gain,
                       static_cast<float>(weight * (of_set ? 0.7 : 0.9))});
   }
-  opened_.push_back(made);
-  return made.spans;
+  return made;
 }
 
-std::vector<std::uint32_t> Spans::rest(std::size_t position) {
-  for (const auto& opened : opened_)
-    if (opened.entity == rest_entity && opened.position == position)
+Spans::Indices Spans::rest(std::size_t position) {
+  for (const auto& opened : opened_[position])
+    if (opened.entity == rest_entity)
       return opened.spans;
-  Opened made{rest_entity, position, most_rest, {}};
+  opened_[position].push_back(
+      {rest_entity, most_rest, rest_of_clause(position)});
+  return opened_[position].back().spans;
+}
+
+std::vector<std::uint32_t> Spans::rest_of_clause(std::size_t position) {
+  std::vector<std::uint32_t> made;
   const auto size = std::min(utterance_.size(), position + most_rest);
   for (auto at = position; at < size; ++at) {
     if (at > position && utterance_.tokens.list[at].before != Break::none)
@@ -280,11 +287,10 @@ std::vector<std::uint32_t> Spans::rest(std::size_t position) {
               0,           0};
     span.gain = rest_gain * static_cast<float>(at + 1 - position);
     span.covered = static_cast<float>(utterance_.weight_of(position, at + 1));
-    made.spans.push_back(static_cast<std::uint32_t>(spans_.size()));
+    made.push_back(static_cast<std::uint32_t>(spans_.size()));
     spans_.push_back(std::move(span));
   }
-  opened_.push_back(made);
-  return made.spans;
+  return made;
 }
 
 } // namespace parlour::adapters::nlu

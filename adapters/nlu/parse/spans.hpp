@@ -2,6 +2,7 @@
 // the grammars mention.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "adapters/nlu/grammar/utterance.hpp"
@@ -45,20 +46,22 @@ public:
   Spans(const Schema& schema, const Utterance& utterance,
         const std::vector<EntityId>& entities, Now now);
 
+  // Indices of spans, valid as long as this.
+  using Indices = std::span<const std::uint32_t>;
+
   // The spans of known values of this entity that begin at `position`.
-  std::vector<std::uint32_t> at(EntityId entity, std::size_t position) const;
+  Indices at(EntityId entity, std::size_t position) const;
 
   // The spans of words that are no known value, one for each length up to
   // `most` words. For any words (words_entity) they are the value. For a set
   // they are an unknown value; no span begins at or inside a known value.
   // For a normal form they are numbers that are not of this form: "25:00" for a
   // time.
-  std::vector<std::uint32_t> open(EntityId entity, std::size_t position,
-                                  std::size_t most);
+  Indices open(EntityId entity, std::size_t position, std::size_t most);
 
   // The words from `position` on, whatever they mean: up to each word of the
   // clause, but no more than a sentence has.
-  std::vector<std::uint32_t> rest(std::size_t position);
+  Indices rest(std::size_t position);
   const Span& operator[](std::uint32_t index) const {
     return spans_[index];
   }
@@ -76,14 +79,17 @@ private:
   bool inside_name(std::size_t position) const;
   bool value_near(EntityId entity, std::size_t first, std::size_t last) const;
   bool can_stand(std::size_t position) const;
+  std::vector<std::uint32_t> open_words(EntityId entity, std::size_t position,
+                                        std::size_t most);
   std::vector<std::uint32_t> open_number(EntityId entity, std::size_t position,
                                          std::size_t most);
+  std::vector<std::uint32_t> rest_of_clause(std::size_t position);
   float open_gain(std::size_t position) const;
 
-  // What open() has returned, for the next call with the same arguments.
+  // What open() and rest() have returned, for the next call with the same
+  // arguments.
   struct Opened {
     EntityId entity;
-    std::size_t position;
     std::size_t most;
     std::vector<std::uint32_t> spans;
   };
@@ -93,8 +99,9 @@ private:
   std::vector<Span> spans_;
   // Utterance::plain, and the tokens of normal forms.
   std::vector<bool> plain_;
+  // By position, sorted by entity.
   std::vector<std::vector<std::uint32_t>> by_begin_;
-  std::vector<Opened> opened_;
+  std::vector<std::vector<Opened>> opened_; // by position
 };
 
 } // namespace parlour::adapters::nlu

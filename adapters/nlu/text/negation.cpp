@@ -1,12 +1,12 @@
 #include "adapters/nlu/text/negation.hpp"
 
-#include <unordered_set>
+#include "adapters/nlu/text/word_set.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
 
-using Words = std::unordered_set<std::string_view>;
+using Words = WordSet;
 
 // Words after which "not" negates no order: "I could not find …" still wants
 // it, and "did not" reports the past.

@@ -13,6 +13,8 @@ namespace parlour::adapters::nlu {
 namespace {
 
 constexpr std::size_t longest = 32;
+// Distances are sums of decimals.
+constexpr double tolerance = 1e-4;
 
 struct Spelling {
   std::string_view letters;
@@ -236,7 +238,8 @@ std::string phones_of(std::string_view word) {
   return is_plain ? Phones(word).run() : std::string();
 }
 
-double sounds_alike(std::string_view left, std::string_view right) {
+double sounds_alike(std::string_view left, std::string_view right,
+                    double least) {
   if (left.empty() || right.empty())
     return 0;
   if (left == right)
@@ -244,8 +247,9 @@ double sounds_alike(std::string_view left, std::string_view right) {
   left = left.substr(0, longest);
   right = right.substr(0, longest);
   const auto length = static_cast<double>(std::max(left.size(), right.size()));
-  const auto distance = double(edit_distance<longest, PhoneCosts>(left, right));
-  return std::max(0.0, 1 - distance / length);
+  const auto distance = edit_distance<longest, PhoneCosts>(
+      left, right, static_cast<float>((1 - least) * length + tolerance));
+  return std::max(0.0, 1 - double(distance) / length);
 }
 
 std::string outline_of(std::string_view phones) {

@@ -14,8 +14,9 @@ std::string phones_of(std::string_view word);
 
 // 1 for equal sounds, 0 for sounds with nothing in common. Sounds that are
 // mistaken for each other (t and d, n and ng, a and e) cost less than others.
-// Only the first 32 sounds count.
-double sounds_alike(std::string_view left, std::string_view right);
+// Only the first 32 sounds count. `least` is as in similarity().
+double sounds_alike(std::string_view left, std::string_view right,
+                    double least = 0);
 
 // The kinds of consonants of these sounds, without vowels and without sounds
 // that come and go (h, w, y): equal for words that may be written for each

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "runtime/text/edit_distance.hpp"
 
@@ -10,6 +11,8 @@ namespace parlour::adapters::nlu {
 namespace {
 
 constexpr std::size_t longest = 32;
+// Distances are sums of decimals.
+constexpr double tolerance = 1e-4;
 
 constexpr bool is_vowel(char letter) {
   return std::string_view("aeiouy").find(letter) != std::string_view::npos;
@@ -26,18 +29,23 @@ constexpr bool is_alike(char left, char right) {
   return false;
 }
 
+// Of a letter that the other word lacks.
+constexpr float least_cost = 0.6F;
+
 // The cost of one letter in the place of another.
 constexpr float change_cost(char left, char right) {
   if (left == right)
     return 0;
   if (is_vowel(left) && is_vowel(right))
     return 0.65F;
-  return is_alike(left, right) ? 0.6F : 1;
+  return is_alike(left, right) ? least_cost : 1;
 }
 
 // The cost of a letter too many or too few. "h" and "e" are often silent.
 constexpr float extra_cost(char letter) {
-  return letter == 'h' || letter == 'e' ? 0.6F : is_vowel(letter) ? 0.8F : 1;
+  return letter == 'h' || letter == 'e' ? least_cost
+         : is_vowel(letter)             ? 0.8F
+                                        : 1;
 }
 
 constexpr std::size_t letters = 26;
@@ -82,17 +90,36 @@ struct SoundCosts {
 
 } // namespace
 
-double similarity(std::string_view left, std::string_view right) {
+double similarity(std::string_view left, std::string_view right, double least) {
   if (left == right)
     return 1;
   left = left.substr(0, longest);
   right = right.substr(0, longest);
-  const auto length = static_cast<double>(std::max(left.size(), right.size()));
   if (left.empty() || right.empty())
     return 0;
-  return std::max(0.0,
-                  1 - double(edit_distance<longest, SoundCosts>(left, right)) /
-                          length);
+  const auto length = static_cast<double>(std::max(left.size(), right.size()));
+  const auto distance = edit_distance<longest, SoundCosts>(
+      left, right, static_cast<float>((1 - least) * length + tolerance));
+  return std::max(0.0, 1 - double(distance) / length);
+}
+
+std::uint32_t letters_in(std::string_view word) {
+  std::uint32_t all = 0;
+  for (const char letter : word.substr(0, longest))
+    if (const auto place = static_cast<std::size_t>(letter - 'a');
+        place < letters)
+      all |= std::uint32_t{1} << place;
+  return all;
+}
+
+// A letter that the other word lacks is replaced or left out, which mends one
+// of each word at most.
+double similarity_at_most(std::uint32_t left, std::uint32_t right,
+                          std::size_t length) {
+  const auto edits =
+      std::max(std::popcount(left & ~right), std::popcount(right & ~left));
+  const auto cost = edits * double(least_cost) - tolerance;
+  return 1 - cost / static_cast<double>(std::min(length, longest));
 }
 
 double similarity_needed(std::size_t length) {

@@ -2,6 +2,8 @@
 // a speech recogniser.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,8 +17,18 @@ namespace parlour::adapters::nlu {
 // change places.
 //
 // Only the first 32 bytes are compared, so the time is bounded. Words must be
-// in lower case.
-double similarity(std::string_view left, std::string_view right);
+// in lower case. Where it is less than `least`, which takes less time, it may
+// be told as less than it is.
+double similarity(std::string_view left, std::string_view right,
+                  double least = 0);
+
+// A bit for each of the letters a to z that a word has.
+std::uint32_t letters_in(std::string_view word);
+
+// The most that two words can be similar, the longer of which has this length,
+// by their letters alone.
+double similarity_at_most(std::uint32_t left, std::uint32_t right,
+                          std::size_t length);
 
 // The least similarity at which a word of this length counts as a misspelling.
 // Short words must be more similar: in "bat" one wrong letter makes another

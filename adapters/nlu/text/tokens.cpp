@@ -54,7 +54,8 @@ Break break_of(char32_t code) {
 // Reads the text from left to right, one word at a time.
 class Tokenizer {
 public:
-  explicit Tokenizer(std::string_view text) : text_(text) {}
+  explicit Tokenizer(std::string_view text)
+      : text_(text), has_email_(text.find('@') != std::string_view::npos) {}
 
   Tokens run() {
     while (skip_to_word()) {
@@ -105,7 +106,7 @@ private:
   void take_word() {
     begin_ = at_;
     raw_.clear();
-    if (const auto length = email_length())
+    if (const auto length = has_email_ ? email_length() : 0; length > 0)
       take_bytes(length);
     else
       take_characters();
@@ -260,6 +261,7 @@ private:
   }
 
   std::string_view text_;
+  bool has_email_; // it may
   std::size_t at_ = 0;
   std::size_t begin_ = 0;
   std::string raw_;

@@ -114,6 +114,7 @@ WordIndex::WordId WordIndex::add(std::string_view word) {
     auto phones = phones_of(key);
     for (const auto gram : keys_of(key, sound, phones))
       near_[gram].push_back(number);
+    letters_.push_back(letters_in(key));
     words_.push_back(std::move(key));
     sounds_.push_back(std::move(sound));
     phones_.push_back(std::move(phones));
@@ -142,7 +143,7 @@ WordIndex::find_said_alike(std::string_view word) const {
   if (found == near_.end())
     return hits;
   for (const auto number : found->second)
-    if (const auto alike = sounds_alike(phones, phones_[number]);
+    if (const auto alike = sounds_alike(phones, phones_[number], said_the_same);
         alike >= said_the_same)
       hits.push_back({number, alike * other_spelling});
   sort(hits);
@@ -159,7 +160,7 @@ void WordIndex::sort(std::vector<Hit>& hits) {
 // numbers, so the length of a group is the number of shared keys.
 void WordIndex::add_misspelt(const std::string& word,
                              std::vector<Hit>& hits) const {
-  const Heard heard{word, sound_of(word), phones_of(word)};
+  const Heard heard{word, letters_in(word), sound_of(word), phones_of(word)};
   const auto outline = key_of_phones(heard.phones);
   std::vector<WordId> near;
   const std::vector<WordId>* outlined = nullptr;
@@ -205,11 +206,16 @@ WordIndex::Hit WordIndex::compare(const Heard& heard, WordId number,
   const auto said =
       longest > std::min(heard.phones.size(), phones.size()) + max_extra
           ? 0.0
-          : sounds_alike(heard.phones, phones) * other_spelling;
-  const auto letters = near || by_sound ? similarity(word, other) : 0.0;
-  const auto written =
-      std::max(letters >= similarity_needed(length) ? letters : 0.0,
-               by_sound ? similar_by_sound : 0.0);
+          : sounds_alike(heard.phones, phones, least_alike / other_spelling) *
+                other_spelling;
+  const auto needed = similarity_needed(length);
+  const bool may_be_similar =
+      (near || by_sound) &&
+      similarity_at_most(heard.letters, letters_[number],
+                         std::max(word.size(), other.size())) >= needed;
+  const auto letters = may_be_similar ? similarity(word, other, needed) : 0.0;
+  const auto written = std::max(letters >= needed ? letters : 0.0,
+                                by_sound ? similar_by_sound : 0.0);
   return {number, std::max(written, said >= least_alike ? said : 0.0),
           written == 0};
 }

@@ -58,6 +58,7 @@ private:
   // A word that was heard, with its sounds.
   struct Heard {
     const std::string& word;
+    std::uint32_t letters = 0;
     std::string sound;
     std::string phones;
   };
@@ -68,8 +69,9 @@ private:
   static void sort(std::vector<Hit>& hits);
 
   std::vector<std::string> words_;
-  std::vector<std::string> sounds_; // of each word (sounds.hpp)
-  std::vector<std::string> phones_; // of each word (phones.hpp)
+  std::vector<std::uint32_t> letters_; // of each word (similarity.hpp)
+  std::vector<std::string> sounds_;    // of each word (sounds.hpp)
+  std::vector<std::string> phones_;    // of each word (phones.hpp)
   TextMap<WordId> numbers_;
   // Words by the keys that similar words share (keys_of in the source).
   std::unordered_map<std::uint32_t, std::vector<WordId>>

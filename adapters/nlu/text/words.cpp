@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
-#include <unordered_set>
+
+#include "adapters/nlu/text/word_set.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
 
-using Words = std::unordered_set<std::string_view>;
+using Words = WordSet;
 
 const Words& titles() {
   static const Words words{"dr",        "doctor", "mr",     "mister",

@@ -10,6 +10,7 @@
 
 #include "adapters/nlu/grammar/automaton_builder.hpp"
 #include "adapters/nlu/grammar/examples.hpp"
+#include "adapters/nlu/grammar/merged_states.hpp"
 #include "adapters/nlu/parse/act_value.hpp"
 #include "adapters/nlu/parse/acts.hpp"
 #include "adapters/nlu/parse/choice.hpp"
@@ -279,6 +280,7 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
   if (!learned)
     return tl::make_unexpected(std::vector{learned.error()});
   Likeness likeness(automaton, schema);
+  automaton = merge_states(std::move(automaton));
   // Not before: what is learnt is learnt of the words of the examples.
   add_synonyms(
       options.synonyms,

@@ -1,4 +1,5 @@
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -51,6 +52,22 @@ TEST(EditDistance, costs_what_it_is_told) {
   EXPECT_FLOAT_EQ((edit_distance<longest, Tenths>("cat"sv, "catt"sv)), 0.1F);
   EXPECT_FLOAT_EQ((edit_distance<longest, Tenths>("cat"sv, "at"sv)), 1);
   EXPECT_FLOAT_EQ((edit_distance<longest, Tenths>("cat"sv, "act"sv)), 0.5F);
+}
+
+TEST(EditDistance, is_exact_up_to_what_matters_and_above_it_beyond) {
+  const std::vector<std::string_view> words{"",     "cat",     "act",    "cart",
+                                            "tact", "sitting", "kitten", "tac"};
+  for (const auto left : words)
+    for (const auto right : words) {
+      const auto exact = edit_distance<longest>(left, right);
+      for (int most = 0; most < 8; ++most) {
+        const auto found = edit_distance<longest>(left, right, most);
+        if (exact <= most)
+          EXPECT_EQ(found, exact) << left << " " << right << " " << most;
+        else
+          EXPECT_GT(found, most) << left << " " << right;
+      }
+    }
 }
 
 TEST(EditDistance, is_of_any_letters) {

@@ -62,6 +62,22 @@ TEST(Matcher, TakesWhatTheContextAsksFor) {
       "'Ang Mo Kio' <g.answer>");
 }
 
+TEST(Matcher, PrefersWhatFillsMoreThenWhatComesFirst) {
+  EXPECT_EQ(best(Stages("public <bare> = call at noon {act=request};"
+                        "public <timed> = call at @time {Time};",
+                        "call at noon")),
+            "'call at noon' <g.timed>");
+  EXPECT_EQ(best(Stages("public <one> = call now {act=request};"
+                        "public <two> = call now {act=cancel};",
+                        "call now")),
+            "'call now' <g.one>");
+  // Within a rule as well.
+  const Stages stages("public <call> = call at (noon | @time {Time});",
+                      "call at noon");
+  ASSERT_EQ(stages.islands.size(), 1U);
+  EXPECT_EQ(stages.islands[0].fills.size(), 1U);
+}
+
 TEST(Matcher, BoundsItsWork) {
   const auto work = [](int copies) {
     std::string text;

@@ -11,7 +11,7 @@ constexpr const char* grammar = R"(
 using Lines = std::vector<std::string>;
 
 // The words of each span, and those of its value where they are fewer.
-Lines texts(const Stages& stages, const std::vector<std::uint32_t>& spans) {
+Lines texts(const Stages& stages, Spans::Indices spans) {
   Lines made;
   for (const auto index : spans) {
     const auto& span = stages.spans[index];
@@ -90,8 +90,9 @@ TEST(Spans, OfWordsThatASetDoesNotHave) {
   Stages stages(grammar, "helipad");
   const auto entity = stages.entity("Facility.Category");
   const auto made = stages.spans.open(entity, 0, 3);
-  EXPECT_TRUE(stages.spans[made.at(0)].unmatched);
-  EXPECT_EQ(stages.spans.open(entity, 0, 3), made); // made once
+  EXPECT_TRUE(stages.spans[made.front()].unmatched);
+  const auto again = stages.spans.open(entity, 0, 3);
+  EXPECT_EQ(again.data(), made.data()); // made once
   EXPECT_TRUE(stages.spans.at(entity, 0).empty());
 }
 

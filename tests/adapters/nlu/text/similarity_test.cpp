@@ -31,6 +31,36 @@ TEST(Similarity, RejectsOtherWords) {
     EXPECT_FALSE(is_misspelt(left, right)) << left << ' ' << right;
 }
 
+TEST(Similarity, NeverExceedsWhatTheLettersAllow) {
+  const std::vector<std::string> words{
+      "jeffery",
+      "jeffrey",
+      "jennifer",
+      "tan",
+      "ten",
+      "zzz",
+      "hehehe",
+      "a",
+      "catherine",
+      "katherine",
+      "über",
+      "aaaa",
+      "a-very-long-word-of-more-than-32-bytes"};
+  for (const auto& left : words)
+    for (const auto& right : words) {
+      EXPECT_LE(similarity(left, right),
+                similarity_at_most(letters_in(left), letters_in(right),
+                                   std::max(left.size(), right.size())))
+          << left << ' ' << right;
+      // Where less is needed, it is told as it is.
+      for (const double least : {0.3, 0.72, 0.79})
+        if (similarity(left, right) >= least)
+          EXPECT_EQ(similarity(left, right, least), similarity(left, right));
+        else
+          EXPECT_LT(similarity(left, right, least), least);
+    }
+}
+
 TEST(Similarity, SuggestsTheNearestName) {
   const std::vector<std::string> known{"Host", "Visitor"};
   EXPECT_EQ(did_you_mean("Hots", known), ", did you mean 'Host'?");

@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
         Turn{"", "no, it is near, I mean Margaret Sim",
              "~correct Appointment Host=Margaret Sim"},
         Turn{"Appointment.Visitor", "I'm Anouk, Windmolen Energy",
-             "inform Appointment Visitor=Anouk"},
+             "~inform Appointment Visitor=Anouk"},
         Turn{"Taxi.Destination", "at six", "inform Taxi Time=18:00"},
         Turn{"Taxi.Time", "not Zorkville, book a taxi to Bedok",
              "correct Taxi Destination=Bedok"},

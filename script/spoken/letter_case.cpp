@@ -1,6 +1,9 @@
-// ICU does the mapping; the root locale is used.
+// ICU does the mapping; the root locale is used. Plain ASCII, which most texts
+// are, is mapped here: scripts do it for each word of each row.
 
 #include "script/spoken/letter_case.hpp"
+
+#include <algorithm>
 
 #include <unicode/ucasemap.h>
 
@@ -29,14 +32,30 @@ std::optional<std::string> mapped(std::string_view text, Mapping mapping) {
   return result;
 }
 
+bool is_ascii(std::string_view text) {
+  return std::ranges::all_of(
+      text, [](char one) { return static_cast<unsigned char>(one) < 0x80; });
+}
+
+// Moves the letters from `first` on, of which there are 26, to `target`.
+std::string moved(std::string_view text, char first, char target) {
+  std::string result(text);
+  for (auto& one : result)
+    if (one >= first && one < first + 26)
+      one = static_cast<char>(one - first + target);
+  return result;
+}
+
 } // namespace
 
 std::optional<std::string> capitals(std::string_view text) {
-  return mapped(text, ucasemap_utf8ToUpper);
+  return is_ascii(text) ? moved(text, 'a', 'A')
+                        : mapped(text, ucasemap_utf8ToUpper);
 }
 
 std::optional<std::string> small_letters(std::string_view text) {
-  return mapped(text, ucasemap_utf8ToLower);
+  return is_ascii(text) ? moved(text, 'A', 'a')
+                        : mapped(text, ucasemap_utf8ToLower);
 }
 
 } // namespace parlour::script

@@ -12,6 +12,11 @@ TEST(LetterCase, IsThatOfAnyAlphabet) {
   EXPECT_EQ(capitals(""), "");
 }
 
+TEST(LetterCase, LeavesWhatIsNoLetter) {
+  EXPECT_EQ(capitals("@az[`{ 09"), "@AZ[`{ 09");
+  EXPECT_EQ(small_letters("@AZ[`{ 09"), "@az[`{ 09");
+}
+
 } // namespace
 
 } // namespace parlour::script

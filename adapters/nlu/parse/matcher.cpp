@@ -121,7 +121,8 @@ void Matcher::step(std::size_t position, const Item& item) {
 
 // Skips a token that the rule does not have: a filler is nearly free, a word
 // with a meaning of its own costs more than a function word. A negation is
-// never skipped, since it turns the meaning round.
+// never skipped, since it turns the meaning round. Neither is any "not" by what
+// is said about the conversation: "I can not see" is no "I see".
 void Matcher::skip(std::size_t position, const Item& item) {
   if (utterance_.negates[position])
     return;
@@ -133,6 +134,8 @@ void Matcher::skip(std::size_t position, const Item& item) {
   else
     next.score -= utterance_.function[position] ? 0.25F : 0.6F;
   next.score -= break_cost(utterance_.tokens.list[position].before);
+  const auto& word = utterance_.tokens.list[position].word;
+  next.denied = item.denied || word == "not" || word == "never";
   carry(next, position + 1);
 }
 
@@ -264,7 +267,8 @@ void Matcher::reach(const Item& item, std::size_t position) {
 // of nothing but a value may consist of a weak value.
 void Matcher::accept(const Item& item, const Accept& accepted) {
   const auto& rule = automaton_.rules[accepted.rule];
-  if ((item.weak && !rule.bare) || !is_tried(rule))
+  if ((item.weak && !rule.bare) || (item.denied && rule.generic) ||
+      !is_tried(rule))
     return;
   auto whole = item;
   whole.score += accepted.weight + rule.bias;

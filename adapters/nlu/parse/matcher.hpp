@@ -89,6 +89,8 @@ private:
     std::uint8_t skipped = 0;
     bool weak = false;
     std::uint8_t filled = 0;
+    // A "not" was skipped.
+    bool denied = false;
   };
 
   void carry(const Item& item, std::size_t position);

@@ -17,9 +17,11 @@ namespace parlour::adapters::nlu::test {
 // Neither copied nor moved, because its members refer to each other.
 class Stages {
 public:
-  Stages(const std::string& grammar, std::string said, const Value& where = {})
+  // `generic`: as if the grammar were the platform's.
+  Stages(const std::string& grammar, std::string said, const Value& where = {},
+         bool generic = false)
       : text(std::move(said)), schema(sample_model(), sample_column, errors_),
-        automaton(build(grammar)), context(read_context(where, schema)),
+        automaton(build(grammar, generic)), context(read_context(where, schema)),
         utterance(make_utterance(text, automaton)),
         spans(schema, utterance, entities(), context.now),
         matcher(automaton, utterance, spans, context.asked_entity_id,
@@ -41,10 +43,11 @@ public:
 private:
   std::vector<Error> errors_; // declared before the members that report to it
 
-  Automaton build(const std::string& grammar) {
+  Automaton build(const std::string& grammar, bool generic) {
     AutomatonBuilder builder(schema, errors_);
     RuleInfo info;
     info.grammar = "g";
+    info.generic = generic;
     builder.add(jsgf::parse({"g", grammar, {}}, errors_), info);
     auto made = builder.finish();
     for (const auto& error : errors_)

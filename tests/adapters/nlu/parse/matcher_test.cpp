@@ -78,6 +78,14 @@ TEST(Matcher, PrefersWhatFillsMoreThenWhatComesFirst) {
   EXPECT_EQ(stages.islands[0].fills.size(), 1U);
 }
 
+// The platform's rules would.
+TEST(Matcher, PassesOverANotOnlyForTheApplication) {
+  const auto* rule = "public <see> = i see {act=thank};";
+  EXPECT_EQ(best(Stages(rule, "I can not see")), "'I can not see' <g.see>");
+  EXPECT_EQ(best(Stages(rule, "I can not see", {}, true)), "");
+  EXPECT_EQ(best(Stages(rule, "I, er, see", {}, true)), "'I, er, see' <g.see>");
+}
+
 TEST(Matcher, BoundsItsWork) {
   const auto work = [](int copies) {
     std::string text;

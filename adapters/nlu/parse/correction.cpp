@@ -36,6 +36,33 @@ std::optional<Fill> as_value(const Fill& fill, EntityId entity,
   return {};
 }
 
+bool has_list(const BuiltAct& act, const Schema& schema) {
+  return std::ranges::any_of(act.fills, [&](const Fill& fill) {
+    return schema.at(act.topic).takes_many(fill.slot);
+  });
+}
+
+bool is_corrected_by(const BuiltAct& said, const BuiltAct& act,
+                     const Schema& schema) {
+  return said.act == "inform" && act.act == "correct" &&
+         said.topic != no_topic && said.topic == act.topic && !said.negated &&
+         !said.fills.empty() && !act.fills.empty() && !has_list(said, schema) &&
+         !has_list(act, schema);
+}
+
+// A later value of a slot replaces an earlier one.
+void join(BuiltAct& said, const BuiltAct& correction) {
+  for (const auto& fill : correction.fills) {
+    std::erase_if(said.fills, [&](const Fill& earlier) {
+      return earlier.slot == fill.slot;
+    });
+    said.fills.push_back(fill);
+  }
+  said.end = correction.end;
+  said.score = std::min(said.score, correction.score);
+  said.understood = std::min(said.understood, correction.understood);
+}
+
 } // namespace
 
 void correct_what_was_said(BuiltAct& act, const Spans& spans,
@@ -48,6 +75,20 @@ void correct_what_was_said(BuiltAct& act, const Spans& spans,
       act.fills = {std::move(*made)};
       return;
     }
+}
+
+void join_corrections(std::vector<BuiltAct>& acts, const Schema& schema) {
+  for (auto act = acts.begin(); act != acts.end();) {
+    const auto said = std::find_if(acts.begin(), act, [&](const BuiltAct& one) {
+      return is_corrected_by(one, *act, schema);
+    });
+    if (said == act) {
+      ++act;
+      continue;
+    }
+    join(*said, *act);
+    act = acts.erase(act);
+  }
 }
 
 } // namespace parlour::adapters::nlu

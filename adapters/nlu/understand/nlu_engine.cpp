@@ -361,6 +361,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
                        prefer_better(acts, hypotheses[0], schema, context);
   for (auto& act : acts)
     correct_what_was_said(act, spans, context);
+  join_corrections(acts, schema);
 
   Understanding made;
   made.work = matcher.work();

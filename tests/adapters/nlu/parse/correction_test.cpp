@@ -57,5 +57,18 @@ TEST(Correction, IsOfWhatWasSaidBefore) {
     EXPECT_EQ(understood(asked, said, text), expected) << asked << ": " << text;
 }
 
+TEST(Correction, InTheSameBreathIsPartOfWhatIsSaid) {
+  struct {
+    const char* text;
+    const char* expected;
+  } const cases[] = {
+      {"at 7pm. Sorry, I mean the garden",
+       "~inform Table When=19:00 Place=garden"},
+      {"at 7pm. Sorry, I mean at 8pm", "~inform Table When=20:00"},
+  };
+  for (const auto& [text, expected] : cases)
+    EXPECT_EQ(understood("When", {}, text), expected) << text;
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

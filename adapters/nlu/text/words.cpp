@@ -143,12 +143,12 @@ bool follows_is(std::string_view word) {
 }
 
 bool is_vague(std::string_view word) {
-  static const Words words{"moment",  "minute", "second", "while",  "meantime",
-                           "time",    "times",  "way",    "thing",  "things",
-                           "stuff",   "bit",    "lot",    "lots",   "kind",
-                           "sort",    "idea",   "place",  "places", "question",
-                           "problem", "matter", "reason", "case",   "end",
-                           "rest",    "same",   "kinds",  "sorts",  "bits"};
+  static const Words words{
+      "moment", "minute", "second", "while", "meantime", "time",     "times",
+      "way",    "thing",  "things", "stuff", "bit",      "lot",      "lots",
+      "kind",   "sort",   "idea",   "place", "places",   "question", "problem",
+      "matter", "reason", "case",   "end",   "rest",     "same",     "such",
+      "kinds",  "sorts",  "bits"};
   return words.contains(word);
 }
 

@@ -64,9 +64,11 @@ public:
 
   std::vector<State> run() {
     number_of({0});
-    for (std::size_t at = 0; at < members_.size(); ++at)
-      // Moved: merging finds new ones, and nobody else needs it.
-      states_[at] = merged(std::move(members_[at]));
+    for (std::size_t at = 0; at < members_.size(); ++at) {
+      // Taken out: merging finds new ones, which moves the list.
+      const auto members = std::move(members_[at]);
+      states_[at] = merged(members);
+    }
     return std::move(states_);
   }
 

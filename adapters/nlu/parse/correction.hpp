@@ -15,11 +15,6 @@ void correct_what_was_said(BuiltAct& act, const Spans& spans,
 
 // "My number is 91234567. Hang on, make it quarter past ten": what is said of a
 // topic and corrected before anything was done is one act, so that nothing is
-// done at the time that was corrected. Lists of values keep their own acts.
-void join_corrections(std::vector<BuiltAct>& acts, const Schema& schema);
-
-// "My number is 91234567. Hang on, make it quarter past ten": what is said of a
-// topic and corrected before anything was done is one act, so that nothing is
 // done with the value that was corrected. Lists of values keep their own acts.
 void join_corrections(std::vector<BuiltAct>& acts, const Schema& schema);
 

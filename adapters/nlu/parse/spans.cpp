@@ -142,9 +142,10 @@ void Spans::add(Span span) {
 }
 
 Spans::Indices Spans::at(EntityId entity, std::size_t position) const {
-  return std::ranges::equal_range(
-      by_begin_[position], entity, {},
-      [&](std::uint32_t index) { return spans_[index].entity; });
+  const auto& indices = by_begin_[position];
+  const auto of = [&](std::uint32_t index) { return spans_[index].entity; };
+  return {std::ranges::lower_bound(indices, entity, {}, of),
+          std::ranges::upper_bound(indices, entity, {}, of)};
 }
 
 // Whether a value of this entity begins in [first, last).

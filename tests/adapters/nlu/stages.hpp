@@ -21,7 +21,8 @@ public:
   Stages(const std::string& grammar, std::string said, const Value& where = {},
          bool generic = false)
       : text(std::move(said)), schema(sample_model(), sample_column, errors_),
-        automaton(build(grammar, generic)), context(read_context(where, schema)),
+        automaton(build(grammar, generic)),
+        context(read_context(where, schema)),
         utterance(make_utterance(text, automaton)),
         spans(schema, utterance, entities(), context.now),
         matcher(automaton, utterance, spans, context.asked_entity_id,

@@ -6,7 +6,6 @@
 namespace parlour::adapters::nlu::test {
 namespace {
 
-using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 using testing::UnorderedElementsAreArray;

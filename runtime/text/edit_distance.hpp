@@ -126,4 +126,19 @@ edit_distance(const Text& left, const Text& right,
   return EditTable<longest, Costs, Text>(left, right).distance(most);
 }
 
+// How alike two texts are that are not both empty: 1 minus their distance
+// divided by the length of the longer one, at least 0. Of texts that are less
+// alike than `least` it is any number below that.
+template <std::size_t longest, class Costs, class Text>
+double edit_similarity(const Text& left, const Text& right, double least) {
+  // Distances may be sums of decimals.
+  constexpr double tolerance = 1e-4;
+  const auto length = static_cast<double>(
+      std::min<std::size_t>(std::max(left.size(), right.size()), longest));
+  const auto most =
+      static_cast<typename Costs::Number>((1 - least) * length + tolerance);
+  const auto distance = edit_distance<longest, Costs>(left, right, most);
+  return std::max(0.0, 1 - static_cast<double>(distance) / length);
+}
+
 } // namespace parlour

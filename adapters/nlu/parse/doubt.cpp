@@ -6,6 +6,7 @@
 
 #include "adapters/nlu/parse/question_words.hpp"
 #include "adapters/nlu/text/has.hpp"
+#include "adapters/nlu/text/negation.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -169,7 +170,7 @@ private:
     auto at = act.begin;
     while (at > 0 && utterance_.filler[at - 1])
       --at;
-    return at > 0 && (word(at - 1) == "not" || word(at - 1) == "never");
+    return at > 0 && is_not(word(at - 1));
   }
 
   // "Cancel the six o'clock alarm" is about the application, whether or not it
@@ -234,8 +235,7 @@ private:
     for (std::size_t token = 0; token < utterance_.size(); ++token) {
       const bool is_within = token >= act.begin && token < act.end;
       if (!is_within && !is_of_tag(token) &&
-          (word(token) == "not" || word(token) == "never" ||
-           (word(token) == "no" && is_of_topic(token))))
+          (is_not(word(token)) || (word(token) == "no" && is_of_topic(token))))
         return true;
     }
     return false;

@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "adapters/nlu/text/negation.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {
@@ -134,8 +136,7 @@ void Matcher::skip(std::size_t position, const Item& item) {
   else
     next.score -= utterance_.function[position] ? 0.25F : 0.6F;
   next.score -= break_cost(utterance_.tokens.list[position].before);
-  const auto& word = utterance_.tokens.list[position].word;
-  next.denied = item.denied || word == "not" || word == "never";
+  next.denied = item.denied || is_not(utterance_.tokens.list[position].word);
   carry(next, position + 1);
 }
 

@@ -216,11 +216,17 @@ Spans::Indices Spans::open(EntityId entity, std::size_t position,
   for (const auto& opened : opened_[position])
     if (opened.entity == entity && opened.most == most)
       return opened.spans;
-  opened_[position].push_back({entity, most,
-                               is_form(entity)
-                                   ? open_number(entity, position, most)
-                                   : open_words(entity, position, most)});
+  opened_[position].push_back(
+      {entity, most, make_open(entity, position, most)});
   return opened_[position].back().spans;
+}
+
+std::vector<std::uint32_t>
+Spans::make_open(EntityId entity, std::size_t position, std::size_t most) {
+  if (entity == rest_entity)
+    return rest_of_clause(position);
+  return is_form(entity) ? open_number(entity, position, most)
+                         : open_words(entity, position, most);
 }
 
 std::vector<std::uint32_t>
@@ -267,12 +273,7 @@ Spans::open_words(EntityId entity, std::size_t position, std::size_t most) {
 }
 
 Spans::Indices Spans::rest(std::size_t position) {
-  for (const auto& opened : opened_[position])
-    if (opened.entity == rest_entity)
-      return opened.spans;
-  opened_[position].push_back(
-      {rest_entity, most_rest, rest_of_clause(position)});
-  return opened_[position].back().spans;
+  return open(rest_entity, position, most_rest);
 }
 
 std::vector<std::uint32_t> Spans::rest_of_clause(std::size_t position) {

@@ -79,6 +79,8 @@ private:
   bool inside_name(std::size_t position) const;
   bool value_near(EntityId entity, std::size_t first, std::size_t last) const;
   bool can_stand(std::size_t position) const;
+  std::vector<std::uint32_t> make_open(EntityId entity, std::size_t position,
+                                       std::size_t most);
   std::vector<std::uint32_t> open_words(EntityId entity, std::size_t position,
                                         std::size_t most);
   std::vector<std::uint32_t> open_number(EntityId entity, std::size_t position,
@@ -86,8 +88,7 @@ private:
   std::vector<std::uint32_t> rest_of_clause(std::size_t position);
   float open_gain(std::size_t position) const;
 
-  // What open() and rest() have returned, for the next call with the same
-  // arguments.
+  // What open() has returned, for the next call with the same arguments.
   struct Opened {
     EntityId entity;
     std::size_t most;

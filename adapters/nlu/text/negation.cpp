@@ -40,8 +40,7 @@ public:
   // Whether "not" or "never" at this token negates. "you dare" is an exception:
   // "don't you dare open it" is an order.
   bool at(std::size_t token) const {
-    const auto here = word(token);
-    if (here != "not" && here != "never")
+    if (!is_not(word(token)))
       return false;
     if (no_orders().contains(word(token - 1)) || word(token + 1) == "mind")
       return false;
@@ -86,6 +85,10 @@ std::vector<bool> negations(const Tokens& tokens) {
   for (std::size_t token = 0; token < tokens.list.size(); ++token)
     found.push_back(negations.at(token));
   return found;
+}
+
+bool is_not(std::string_view word) {
+  return word == "not" || word == "never";
 }
 
 bool is_linking_word(std::string_view word) {

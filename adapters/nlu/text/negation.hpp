@@ -14,6 +14,9 @@ namespace parlour::adapters::nlu {
 // past.
 std::vector<bool> negations(const Tokens& tokens);
 
+// "not" or "never", whatever it does there.
+bool is_not(std::string_view word);
+
 // Whether the word may stand between a negation and what it negates: "want" and
 // "to" in "(do not) want to open".
 bool is_linking_word(std::string_view word);

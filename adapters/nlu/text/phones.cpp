@@ -13,8 +13,6 @@ namespace parlour::adapters::nlu {
 namespace {
 
 constexpr std::size_t longest = 32;
-// Distances are sums of decimals.
-constexpr double tolerance = 1e-4;
 
 struct Spelling {
   std::string_view letters;
@@ -244,12 +242,7 @@ double sounds_alike(std::string_view left, std::string_view right,
     return 0;
   if (left == right)
     return 1;
-  left = left.substr(0, longest);
-  right = right.substr(0, longest);
-  const auto length = static_cast<double>(std::max(left.size(), right.size()));
-  const auto distance = edit_distance<longest, PhoneCosts>(
-      left, right, static_cast<float>((1 - least) * length + tolerance));
-  return std::max(0.0, 1 - double(distance) / length);
+  return edit_similarity<longest, PhoneCosts>(left, right, least);
 }
 
 std::string outline_of(std::string_view phones) {

@@ -93,14 +93,9 @@ struct SoundCosts {
 double similarity(std::string_view left, std::string_view right, double least) {
   if (left == right)
     return 1;
-  left = left.substr(0, longest);
-  right = right.substr(0, longest);
   if (left.empty() || right.empty())
     return 0;
-  const auto length = static_cast<double>(std::max(left.size(), right.size()));
-  const auto distance = edit_distance<longest, SoundCosts>(
-      left, right, static_cast<float>((1 - least) * length + tolerance));
-  return std::max(0.0, 1 - double(distance) / length);
+  return edit_similarity<longest, SoundCosts>(left, right, least);
 }
 
 std::uint32_t letters_in(std::string_view word) {

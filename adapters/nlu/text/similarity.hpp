@@ -17,8 +17,8 @@ namespace parlour::adapters::nlu {
 // change places.
 //
 // Only the first 32 bytes are compared, so the time is bounded. Words must be
-// in lower case. Where it is less than `least`, which takes less time, it may
-// be told as less than it is.
+// in lower case. Where it is less than `least`, it may be told as any number
+// below that, which takes less time.
 double similarity(std::string_view left, std::string_view right,
                   double least = 0);
 

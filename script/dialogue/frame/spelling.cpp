@@ -55,7 +55,8 @@ std::optional<int> near(const std::string& a, const std::string& b) {
   if (allowed == 0 || has_digit(a) || has_digit(b) ||
       std::max(a.size(), b.size()) > longest)
     return std::nullopt;
-  const auto distance = edit_distance<longest>(letters_of(a), letters_of(b));
+  const auto distance =
+      edit_distance<longest>(letters_of(a), letters_of(b), allowed);
   return distance <= allowed ? std::optional(distance) : std::nullopt;
 }
 

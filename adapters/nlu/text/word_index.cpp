@@ -17,6 +17,10 @@ namespace {
 constexpr std::size_t max_hits = 8;
 constexpr std::size_t shortest_misspelt = 2;
 constexpr std::size_t max_extra = 3;
+// The same for words that must be nearly the same: "jeffery" is not
+// "jefferyho".
+constexpr double nearly_the_same = 0.9;
+constexpr std::size_t extra_of_nearly = 1;
 constexpr std::size_t longest_short = 5;
 // How similar words are at least that sound alike: less than what is accepted
 // without a word about it.
@@ -123,13 +127,13 @@ WordIndex::WordId WordIndex::add(std::string_view word) {
 }
 
 std::vector<WordIndex::Hit> WordIndex::find(std::string_view word,
-                                            bool misspelt) const {
+                                            Spelling spelling) const {
   std::vector<Hit> hits;
   const auto key = singular(word);
   if (const auto found = numbers_.find(key); found != numbers_.end())
     hits.push_back({found->second, 1});
-  if (misspelt && key.size() >= shortest_misspelt)
-    add_misspelt(key, hits);
+  if (spelling != Spelling::exact && key.size() >= shortest_misspelt)
+    add_misspelt(key, spelling, hits);
   return hits;
 }
 
@@ -158,9 +162,15 @@ void WordIndex::sort(std::vector<Hit>& hits) {
 
 // Collects all words that share a key with `word`. Sorting groups equal
 // numbers, so the length of a group is the number of shared keys.
-void WordIndex::add_misspelt(const std::string& word,
+void WordIndex::add_misspelt(const std::string& word, Spelling spelling,
                              std::vector<Hit>& hits) const {
-  const Heard heard{word, letters_in(word), sound_of(word), phones_of(word)};
+  const bool nearly = spelling == Spelling::nearly;
+  const Heard heard{word,
+                    letters_in(word),
+                    sound_of(word),
+                    phones_of(word),
+                    nearly ? nearly_the_same : 0,
+                    nearly ? extra_of_nearly : max_extra};
   const auto outline = key_of_phones(heard.phones);
   std::vector<WordId> near;
   const std::vector<WordId>* outlined = nullptr;
@@ -199,24 +209,26 @@ WordIndex::Hit WordIndex::compare(const Heard& heard, WordId number,
       heard.sound.size() > 1 && heard.sound == sounds_[number];
   const auto length = std::min(word.size(), other.size());
   if (other == word || other.size() < 2 ||
-      std::max(word.size(), other.size()) > length + max_extra ||
+      std::max(word.size(), other.size()) > length + heard.extra ||
       (!near && !by_sound && !alike_in_outline))
     return {number, 0};
   const auto longest = std::max(heard.phones.size(), phones.size());
+  const auto least_said = std::max(least_alike, heard.least);
   const auto said =
       longest > std::min(heard.phones.size(), phones.size()) + max_extra
           ? 0.0
-          : sounds_alike(heard.phones, phones, least_alike / other_spelling) *
+          : sounds_alike(heard.phones, phones, least_said / other_spelling) *
                 other_spelling;
-  const auto needed = similarity_needed(length);
+  const auto needed = std::max(similarity_needed(length), heard.least);
   const bool may_be_similar =
       (near || by_sound) &&
       similarity_at_most(heard.letters, letters_[number],
                          std::max(word.size(), other.size())) >= needed;
   const auto letters = may_be_similar ? similarity(word, other, needed) : 0.0;
-  const auto written = std::max(letters >= needed ? letters : 0.0,
-                                by_sound ? similar_by_sound : 0.0);
-  return {number, std::max(written, said >= least_alike ? said : 0.0),
+  const auto written = std::max(
+      letters >= needed ? letters : 0.0,
+      by_sound && similar_by_sound >= heard.least ? similar_by_sound : 0.0);
+  return {number, std::max(written, said >= least_said ? said : 0.0),
           written == 0};
 }
 

@@ -27,6 +27,16 @@ using TextMap =
 // stored and looked up in this form, so that either number finds the other.
 std::string singular(std::string_view word);
 
+// How far from its spelling a word may be found.
+enum class Spelling : std::uint8_t {
+  // Not at all, but for the other number.
+  exact,
+  // At most a letter more or fewer, and nearly the same: for long words.
+  nearly,
+  // Misspelt, or only said alike.
+  loose,
+};
+
 // Not thread-safe while words are added; afterwards any number of threads may
 // find.
 class WordIndex {
@@ -45,9 +55,9 @@ public:
   // there. Numbers count from 0.
   WordId add(std::string_view word);
 
-  // The word itself, if it is there, then misspellings of it and words that
-  // sound alike if `misspelt`; the most similar first, at most eight.
-  std::vector<Hit> find(std::string_view word, bool misspelt) const;
+  // The word itself, if it is there, then words that may be it if the spelling
+  // is not exact; the most similar first, at most eight.
+  std::vector<Hit> find(std::string_view word, Spelling spelling) const;
   // Words that are said the same, such as "soh" for "so".
   std::vector<Hit> find_said_alike(std::string_view word) const;
   std::size_t size() const {
@@ -61,9 +71,14 @@ private:
     std::uint32_t letters = 0;
     std::string sound;
     std::string phones;
+    // How similar a word must be at least, and by how many letters it may be
+    // longer or shorter.
+    double least = 0;
+    std::size_t extra = 0;
   };
 
-  void add_misspelt(const std::string& word, std::vector<Hit>& hits) const;
+  void add_misspelt(const std::string& word, Spelling spelling,
+                    std::vector<Hit>& hits) const;
   Hit compare(const Heard& heard, WordId number, std::size_t shared,
               bool alike_in_outline) const;
   static void sort(std::vector<Hit>& hits);

@@ -84,10 +84,10 @@ void ValueIndex::add_value(const std::string& text, SetId set) {
     entry.all |= bit(at);
     if (!is_light(words[at]))
       entry.heavy |= bit(at);
-    post(words[at], number, bit(at));
+    words_.add(words[at], {number, bit(at)});
     if (at > 0)
-      post(words[at - 1] + words[at], number,
-           static_cast<std::uint16_t>(bit(at - 1) | bit(at)));
+      joined_.add(words[at - 1] + words[at],
+                  {number, static_cast<std::uint16_t>(bit(at - 1) | bit(at))});
   }
   // A value of light words only ("the at") needs all of them.
   if (entry.heavy == 0)
@@ -95,11 +95,10 @@ void ValueIndex::add_value(const std::string& text, SetId set) {
   values_.push_back(std::move(entry));
 }
 
-void ValueIndex::post(std::string_view word, std::uint32_t value,
-                      std::uint16_t mask) {
-  const auto number = words_.add(word);
-  postings_.resize(words_.size());
-  postings_[number].push_back({value, mask});
+void ValueIndex::Lists::add(std::string_view word, Posting posting) {
+  const auto number = index.add(word);
+  postings.resize(index.size());
+  postings[number].push_back(posting);
 }
 
 void ValueIndex::add_synonyms(

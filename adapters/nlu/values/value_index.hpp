@@ -59,7 +59,8 @@ public:
 
   // Whether some value has this word, as it is or in the other number.
   bool has_word(std::string_view word) const {
-    return !words_.find(word, false).empty();
+    return !words_.index.find(word, Spelling::exact).empty() ||
+           !joined_.index.find(word, Spelling::exact).empty();
   }
 
   // Whether its values look like names of people.
@@ -83,11 +84,18 @@ private:
     std::uint16_t heavy = 0;
   };
 
-  // An entry of a word's list: the value, and which of its words this is. Two
-  // adjacent words written together are also a word, with two bits.
+  // An entry of a word's list: the value, and which of its words this is.
   struct Posting {
     std::uint32_t value = 0;
     std::uint16_t mask = 0;
+  };
+
+  // Words, and the list of each by its number.
+  struct Lists {
+    WordIndex index;
+    std::vector<std::vector<Posting>> postings;
+
+    void add(std::string_view word, Posting posting);
   };
 
   struct Set {
@@ -99,13 +107,14 @@ private:
   };
 
   void add_value(const std::string& text, SetId set);
-  void post(std::string_view word, std::uint32_t value, std::uint16_t mask);
 
   std::vector<Entry> values_;
   std::vector<Set> sets_;
-  WordIndex words_;
-  // The lists, by number of the word.
-  std::vector<std::vector<Posting>> postings_;
+  Lists words_;
+  // Two adjacent words written together, with two bits. They are many, and
+  // looked for apart, so that they take neither the time nor the place of
+  // words.
+  Lists joined_;
   // The lists of words that no value has.
   TextMap<std::vector<Posting>> synonyms_;
 };

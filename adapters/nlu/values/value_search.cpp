@@ -27,9 +27,6 @@ constexpr double stranger_cost = 0.5;
 constexpr double single_word = 0.95;
 // So must a single word of any other longer value: "giving" is no living room.
 constexpr double single_part = 0.87;
-// Two words written as one must be nearly correct: "jeffery" is not
-// "jefferyho".
-constexpr double joined_similarity = 0.9;
 // "mug" for "cup".
 constexpr float synonym_similarity = 0.93F;
 // How many words may be skipped within a value: "son of", "er".
@@ -84,8 +81,7 @@ void ValueSearch::collect_fits() {
 void ValueSearch::add_fits(std::size_t position) {
   const auto& word = tokens_.list[position].word;
   const bool misspelt = !plain_[position] && !has_digit(word);
-  for (const auto& hit : index_.words_.find(word, misspelt))
-    add_hit(position, hit, 1);
+  look_up(position, word, misspelt, 1);
   if (const auto other = index_.synonyms_.find(word);
       other != index_.synonyms_.end())
     for (const auto& posting : other->second)
@@ -105,9 +101,7 @@ void ValueSearch::add_joined(std::size_t position) {
   const auto& word = tokens_.list[position].word;
   const bool joined = !plain_[position] && !has_digit(word) && !plain_[next] &&
                       (fits_[position].empty() || fits_[next].empty());
-  for (const auto& hit :
-       index_.words_.find(word + tokens_.list[next].word, joined))
-    add_hit(position, hit, 2);
+  look_up(position, word + tokens_.list[next].word, joined, 2);
 }
 
 // "T A N": letters one by one, from three on.
@@ -119,8 +113,7 @@ void ValueSearch::add_spelt(std::size_t position) {
   const auto length = at - position;
   if (length < 2 || length > widest_window)
     return;
-  for (const auto& hit : index_.words_.find(word, length > 3))
-    add_hit(position, hit, static_cast<std::uint8_t>(length), true);
+  look_up(position, word, length > 3, static_cast<std::uint8_t>(length), true);
 }
 
 // Behind a word of a name, a word with a meaning of its own may be a name, too.
@@ -133,21 +126,32 @@ void ValueSearch::add_said_alike(std::size_t position) {
       !fits_[position].empty() || !may_be_name(word) || has_digit(word) ||
       is_title(word) || is_light(word))
     return;
-  for (const auto& hit : index_.words_.find_said_alike(word))
-    add_hit(position, hit, 1);
+  add_hits(position, index_.words_, index_.words_.index.find_said_alike(word),
+           1, false);
 }
 
-void ValueSearch::add_hit(std::size_t position, const WordIndex::Hit& hit,
-                          std::uint8_t length, bool spelt) {
-  const auto similarity = static_cast<float>(hit.similarity);
-  for (const auto& posting : index_.postings_[hit.word]) {
-    const auto set = index_.values_[posting.value].set;
-    if ((count(posting.mask) > 1 && hit.similarity < joined_similarity) ||
-        (hit.only_said && !index_.sets_[set].of_people))
-      continue;
-    fits_[position].push_back(
-        {posting.value, posting.mask, length, similarity, spelt});
-  }
+// Two words written as one must be nearly correct.
+void ValueSearch::look_up(std::size_t position, std::string_view word,
+                          bool misspelt, std::uint8_t length, bool spelt) {
+  using enum Spelling;
+  const auto& words = index_.words_;
+  const auto& joined = index_.joined_;
+  add_hits(position, words, words.index.find(word, misspelt ? loose : exact),
+           length, spelt);
+  add_hits(position, joined, joined.index.find(word, misspelt ? nearly : exact),
+           length, spelt);
+}
+
+void ValueSearch::add_hits(std::size_t position, const ValueIndex::Lists& lists,
+                           const std::vector<WordIndex::Hit>& hits,
+                           std::uint8_t length, bool spelt) {
+  for (const auto& hit : hits)
+    for (const auto& posting : lists.postings[hit.word]) {
+      const auto set = index_.values_[posting.value].set;
+      if (!hit.only_said || index_.sets_[set].of_people)
+        fits_[position].push_back({posting.value, posting.mask, length,
+                                   static_cast<float>(hit.similarity), spelt});
+    }
 }
 
 // All matches that begin at this token. A match does not begin with a light

@@ -54,8 +54,11 @@ private:
   void add_joined(std::size_t position);
   void add_spelt(std::size_t position);
   void add_said_alike(std::size_t position);
-  void add_hit(std::size_t position, const WordIndex::Hit& hit,
+  void look_up(std::size_t position, std::string_view word, bool misspelt,
                std::uint8_t length, bool spelt = false);
+  void add_hits(std::size_t position, const ValueIndex::Lists& lists,
+                const std::vector<WordIndex::Hit>& hits, std::uint8_t length,
+                bool spelt);
 
   void search_from(std::size_t begin);
   void extend(const Partials& partials, std::size_t begin,

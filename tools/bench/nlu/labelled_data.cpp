@@ -137,6 +137,54 @@ Expected<NluSets> read_set(const fs::path& folder, const std::string& name,
   return NluSets{std::move(data)};
 }
 
+// Texts between empty lines, a word and its tag on each line; the first is a
+// heading.
+std::vector<Labelled> read_tagged(const fs::path& path) {
+  std::vector<Labelled> rows;
+  Labelled row;
+  const auto finish = [&] {
+    if (!row.text.empty() && row.text != "-DOCSTART-")
+      rows.push_back({row.text, "find", row.tags});
+    row = {};
+  };
+  for (const auto& line : lines_of(path)) {
+    const auto words = words_of(line);
+    if (words.size() == 2) {
+      row.text += (row.text.empty() ? "" : " ") + words[0];
+      row.tags.push_back(words[1]);
+    } else {
+      finish();
+    }
+  }
+  finish();
+  return rows;
+}
+
+// Without a validation part.
+NluSets split(const std::vector<Labelled>& train,
+              const std::vector<Labelled>& test, DataPart part) {
+  NluData data;
+  if (part == DataPart::validation) {
+    learn_or_measure(data, train, held_out_of, held_out_of - 1);
+    return {std::move(data)};
+  }
+  for (const auto& row : train)
+    learn(data, row);
+  for (const auto& row : test)
+    measure(data, row);
+  return {std::move(data)};
+}
+
+Expected<NluSets> read_mit(const fs::path& folder, const std::string& name,
+                           DataPart part) {
+  const auto place =
+      first_there(folder, {"DeepKE/example/ner/few-shot/data/" + name, name});
+  if (!place)
+    return tl::make_unexpected(place.error());
+  return split(read_tagged(*place / "500-shot-train.txt"),
+               read_tagged(*place / "test.txt"), part);
+}
+
 // -- BANKING77 ----------------------------------------------------------------
 
 // The rows of a file of comma-separated values with two columns. A column in
@@ -229,17 +277,8 @@ Expected<NluSets> read_banking(const fs::path& folder, DataPart part) {
                            "banking_data/train.csv"});
   if (!place)
     return tl::make_unexpected(place.error());
-  NluData data;
-  const auto rows = read_commas(*place);
-  if (part == DataPart::validation) {
-    learn_or_measure(data, rows, held_out_of, held_out_of - 1);
-    return NluSets{std::move(data)};
-  }
-  for (const auto& row : rows)
-    learn(data, row);
-  for (const auto& row : read_commas(place->parent_path() / "test.csv"))
-    measure(data, row);
-  return NluSets{std::move(data)};
+  return split(read_commas(*place),
+               read_commas(place->parent_path() / "test.csv"), part);
 }
 
 Expected<NluSets> read_hwu(const fs::path& folder, DataPart part) {
@@ -248,6 +287,14 @@ Expected<NluSets> read_hwu(const fs::path& folder, DataPart part) {
 
 Expected<NluSets> read_atis(const fs::path& folder, DataPart part) {
   return read_set(folder, "ATIS", "train", part);
+}
+
+Expected<NluSets> read_restaurants(const fs::path& folder, DataPart part) {
+  return read_mit(folder, "mit-restaurant", part);
+}
+
+Expected<NluSets> read_films(const fs::path& folder, DataPart part) {
+  return read_mit(folder, "mit-movie", part);
 }
 
 Expected<NluSets> read_ten_of_banking(const fs::path& folder, DataPart part) {

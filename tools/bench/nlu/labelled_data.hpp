@@ -25,4 +25,13 @@ Expected<NluSets> read_ten_of_clinc(const std::filesystem::path& folder,
 Expected<NluSets> read_corpora(const std::filesystem::path& folder,
                                DataPart part);
 
+// The MIT corpora of questions about restaurants and films, as
+// github.com/zjunlp/DeepKE has them: slots of one topic, learnt from the
+// examples in which each slot occurs up to 500 times, about a quarter of
+// all.
+Expected<NluSets> read_restaurants(const std::filesystem::path& folder,
+                                   DataPart part);
+Expected<NluSets> read_films(const std::filesystem::path& folder,
+                             DataPart part);
+
 } // namespace parlour::tools

@@ -78,9 +78,27 @@ TEST_F(LabelledDataTest, ReadsCorpora) {
   EXPECT_EQ(read_corpora(folder(), DataPart::validation)->size(), 15U);
 }
 
+TEST_F(LabelledDataTest, ReadsAWordAndItsTagALine) {
+  write("mit-restaurant/500-shot-train.txt",
+        "-DOCSTART- O\r\n\r\nany O\r\nice B-Cuisine\r\ncream I-Cuisine\r\n\r\n"
+        "open B-Hours\r\n");
+  write("mit-restaurant/test.txt", "-DOCSTART- O\n\nthai B-Cuisine\n\n");
+  const auto sets = read_restaurants(folder(), DataPart::test);
+  ASSERT_TRUE(sets);
+  const auto& topic = sets->at(0).model.topics.at(0);
+  ASSERT_EQ(topic.examples.size(), 2U);
+  EXPECT_EQ(topic.examples[0], "any [ice cream](Cuisine)");
+  EXPECT_EQ(topic.examples[1], "[open](Hours)");
+  EXPECT_EQ(topic.slots.size(), 2U);
+  ASSERT_EQ(sets->at(0).texts.size(), 1U);
+  EXPECT_EQ(sets->at(0).texts[0].text, "thai");
+  EXPECT_EQ(sets->at(0).texts[0].slots.size(), 1U);
+}
+
 TEST_F(LabelledDataTest, SaysWhatIsNotThere) {
-  for (const auto read : {read_banking, read_hwu, read_atis, read_corpora,
-                          read_ten_of_banking, read_ten_of_clinc})
+  for (const auto read :
+       {read_banking, read_hwu, read_atis, read_corpora, read_ten_of_banking,
+        read_ten_of_clinc, read_restaurants, read_films})
     EXPECT_FALSE(read(folder(), DataPart::test));
   write("AskUbuntuCorpus.json", "moo");
   write("ChatbotCorpus.json", "moo");

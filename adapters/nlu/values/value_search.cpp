@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "adapters/nlu/forms/number_words.hpp"
@@ -92,13 +93,14 @@ void ValueSearch::add_fits(std::size_t position) {
     add_spelt(position);
 }
 
-// Two tokens together may be one word of a value that was split ("coffee shop"
-// for "coffeeshop"), or two words that were split elsewhere.
+// Two tokens may be a word that was split ("coffee shop" for "coffeeshop"), or
+// two that were split elsewhere. "With an H" does not mean somebody called Anh.
 void ValueSearch::add_joined(std::size_t position) {
   const auto next = position + 1;
-  if (next >= fits_.size() || tokens_.list[next].before != Break::none)
-    return;
   const auto& word = tokens_.list[position].word;
+  if (next >= fits_.size() || tokens_.list[next].before != Break::none ||
+      (is_function_word(word) && is_letter(tokens_.list[next].word)))
+    return;
   const bool joined = !plain_[position] && !has_digit(word) && !plain_[next] &&
                       (fits_[position].empty() || fits_[next].empty());
   look_up(position, word + tokens_.list[next].word, joined, 2);
@@ -130,12 +132,10 @@ void ValueSearch::add_said_alike(std::size_t position) {
            1, false);
 }
 
-// Two words written as one must be nearly correct.
 void ValueSearch::look_up(std::size_t position, std::string_view word,
                           bool misspelt, std::uint8_t length, bool spelt) {
   using enum Spelling;
-  const auto& words = index_.words_;
-  const auto& joined = index_.joined_;
+  const auto& [words, joined] = std::tie(index_.words_, index_.joined_);
   add_hits(position, words, words.index.find(word, misspelt ? loose : exact),
            length, spelt);
   add_hits(position, joined, joined.index.find(word, misspelt ? nearly : exact),

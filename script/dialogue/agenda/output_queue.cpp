@@ -91,12 +91,10 @@ std::span<const Output> OutputQueue::release_pending() {
 
 // Who says a wish twice in one turn hears its answer once.
 bool OutputQueue::was_answered(const Output& output) const {
-  return output.act == OutputAct::answer && output.topic != script::no_id &&
-         output.turn != 0 &&
+  return output.act == OutputAct::answer && output.turn != 0 &&
          std::any_of(
              last_turn_.begin(), last_turn_.end(), [&](const Output& other) {
-               return other.turn == output.turn &&
-                      other.topic == output.topic && other.text == output.text;
+               return other.turn == output.turn && other.text == output.text;
              });
 }
 

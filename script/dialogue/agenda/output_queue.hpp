@@ -83,8 +83,8 @@ public:
   };
   // Releases what can be released now. Questions, reprompts and resumes are
   // withdrawn where a user turn has begun, as `begun` tells of an entry;
-  // answers never are, but one of a topic that was given in the same user turn
-  // with the same words is forgotten. An entry that waits for its words can be
+  // answers never are, but one that was given in the same user turn with the
+  // same words is forgotten. An entry that waits for its words can be
   // withdrawn, too; it is never released.
   Released release(const Which& begun);
   Released release(bool begun) { // for all alike

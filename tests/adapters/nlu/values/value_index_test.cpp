@@ -66,6 +66,19 @@ TEST(ValueIndex, ForgivesSpelling) {
   EXPECT_EQ(find("coffe shop"), "coffee shop");
 }
 
+TEST(ValueIndex, JoinsNoFunctionWordWithALetter) {
+  ValueIndex index;
+  index.add({"Nguyen Thi Phuong Anh", "An Drew"});
+  const auto found = [&](const char* text) {
+    const auto tokens = tokenize(text);
+    return !index.find(tokens, std::vector<bool>(tokens.list.size(), true))
+                .empty();
+  };
+  EXPECT_FALSE(found("with an h"));
+  EXPECT_TRUE(found("phuong anh"));
+  EXPECT_TRUE(found("andrew"));
+}
+
 TEST(ValueIndex, RejectsStrangers) {
   EXPECT_EQ(find("Zzyzx Qwert"), "");
   EXPECT_EQ(find("Jeffery Smith"), "");

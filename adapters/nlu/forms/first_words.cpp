@@ -1,9 +1,8 @@
 #include "adapters/nlu/forms/first_words.hpp"
 
-#include <algorithm>
-
 #include "adapters/nlu/forms/calendar.hpp"
 #include "adapters/nlu/forms/number_words.hpp"
+#include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/word_set.hpp"
 
 namespace parlour::adapters::nlu {
@@ -30,14 +29,9 @@ const WordSet& other_first_words() {
   return words;
 }
 
-// Also "+65", "b2" and "l3".
-bool has_digit(std::string_view word) {
-  return std::ranges::any_of(
-      word, [](char letter) { return letter >= '0' && letter <= '9'; });
-}
-
 } // namespace
 
+// Digits: also "+65", "b2" and "l3".
 bool may_begin_form(std::string_view word) {
   return has_digit(word) || other_first_words().contains(word) ||
          is_number_word(word) || month_of(word) != 0 ||

@@ -1,4 +1,5 @@
-// Whether something is in a short list, where each element is looked at.
+// Whether something is in a short list, where each element is looked at, or a
+// digit in a word.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +16,10 @@ bool has(const All& all, const One& one) {
 inline bool is_one_of(std::string_view word,
                       std::initializer_list<std::string_view> words) {
   return has(words, word);
+}
+
+inline bool has_digit(std::string_view word) {
+  return word.find_first_of("0123456789") != std::string_view::npos;
 }
 
 } // namespace parlour::adapters::nlu

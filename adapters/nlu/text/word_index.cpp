@@ -75,6 +75,12 @@ std::uint32_t key_of_phones(std::string_view phones) {
   return key_of(outline, 4);
 }
 
+// What similar words of different lengths share, in lists of their own: only
+// lengths that may be meant are looked at.
+std::uint64_t with_length(std::uint32_t key, std::size_t length) {
+  return std::uint64_t(length) << 32 | key;
+}
+
 // The keys of a word, sorted and without duplicates: its trigrams, with its
 // ends marked by ^ and $, and its sound.
 std::vector<std::uint32_t> keys_of(const std::string& word,
@@ -116,8 +122,8 @@ WordIndex::WordId WordIndex::add(std::string_view word) {
   if (is_new) {
     auto sound = sound_of(key);
     auto phones = phones_of(key);
-    for (const auto gram : keys_of(key, sound, phones))
-      near_[gram].push_back(number);
+    for (const auto shared : keys_of(key, sound, phones))
+      near_[with_length(shared, key.size())].push_back(number);
     letters_.push_back(letters_in(key));
     words_.push_back(std::move(key));
     sounds_.push_back(std::move(sound));
@@ -143,13 +149,15 @@ WordIndex::find_said_alike(std::string_view word) const {
   const auto phones = phones_of(word);
   if (phones.size() < 2)
     return hits;
-  const auto found = near_.find(key_of_phones(phones));
-  if (found == near_.end())
-    return hits;
-  for (const auto number : found->second)
-    if (const auto alike = sounds_alike(phones, phones_[number], said_the_same);
-        alike >= said_the_same)
-      hits.push_back({number, alike * other_spelling});
+  const auto outline = key_of_phones(phones);
+  for (std::size_t length = 1; length <= word.size() + max_extra; ++length)
+    if (const auto found = near_.find(with_length(outline, length));
+        found != near_.end())
+      for (const auto number : found->second)
+        if (const auto alike =
+                sounds_alike(phones, phones_[number], said_the_same);
+            alike >= said_the_same)
+          hits.push_back({number, alike * other_spelling});
   sort(hits);
   return hits;
 }
@@ -172,21 +180,27 @@ void WordIndex::add_misspelt(const std::string& word, Spelling spelling,
                     nearly ? nearly_the_same : 0,
                     nearly ? extra_of_nearly : max_extra};
   const auto outline = key_of_phones(heard.phones);
+  const auto keys = keys_of(word, heard.sound, heard.phones);
   std::vector<WordId> near;
-  const std::vector<WordId>* outlined = nullptr;
-  for (const auto key : keys_of(word, heard.sound, heard.phones))
-    if (const auto found = near_.find(key); found != near_.end()) {
-      near.insert(near.end(), found->second.begin(), found->second.end());
-      if (key == outline)
-        outlined = &found->second;
-    }
+  std::vector<WordId> outlined;
+  const auto shortest = std::max(word.size(), heard.extra + 2) - heard.extra;
+  for (auto length = shortest; length <= word.size() + heard.extra; ++length)
+    for (const auto key : keys)
+      if (const auto found = near_.find(with_length(key, length));
+          found != near_.end()) {
+        near.insert(near.end(), found->second.begin(), found->second.end());
+        if (key == outline)
+          outlined.insert(outlined.end(), found->second.begin(),
+                          found->second.end());
+      }
   std::ranges::sort(near);
+  std::ranges::sort(outlined);
   for (std::size_t at = 0; at < near.size();) {
     const auto first = at;
     while (at < near.size() && near[at] == near[first])
       ++at;
     const bool alike_in_outline =
-        outlined && std::ranges::binary_search(*outlined, near[first]);
+        std::ranges::binary_search(outlined, near[first]);
     if (const auto hit =
             compare(heard, near[first], at - first, alike_in_outline);
         hit.similarity > 0)
@@ -208,9 +222,7 @@ WordIndex::Hit WordIndex::compare(const Heard& heard, WordId number,
   const bool by_sound =
       heard.sound.size() > 1 && heard.sound == sounds_[number];
   const auto length = std::min(word.size(), other.size());
-  if (other == word || other.size() < 2 ||
-      std::max(word.size(), other.size()) > length + heard.extra ||
-      (!near && !by_sound && !alike_in_outline))
+  if (other == word || (!near && !by_sound && !alike_in_outline))
     return {number, 0};
   const auto longest = std::max(heard.phones.size(), phones.size());
   const auto least_said = std::max(least_alike, heard.least);

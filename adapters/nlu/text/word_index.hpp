@@ -88,9 +88,9 @@ private:
   std::vector<std::string> sounds_;    // of each word (sounds.hpp)
   std::vector<std::string> phones_;    // of each word (phones.hpp)
   TextMap<WordId> numbers_;
-  // Words by the keys that similar words share (keys_of in the source).
-  std::unordered_map<std::uint32_t, std::vector<WordId>>
-      near_; // by what words have in common
+  // Words by their length and the keys that similar words share (with_length
+  // and keys_of in the source).
+  std::unordered_map<std::uint64_t, std::vector<WordId>> near_;
 };
 
 } // namespace parlour::adapters::nlu

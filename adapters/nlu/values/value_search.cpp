@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "adapters/nlu/forms/number_words.hpp"
+#include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -35,10 +36,6 @@ constexpr std::size_t most_skipped = 3;
 
 int count(std::uint16_t mask) {
   return std::popcount(mask);
-}
-
-bool has_digit(std::string_view word) {
-  return word.find_first_of("0123456789") != std::string_view::npos;
 }
 
 bool is_letter(std::string_view word) {
@@ -231,16 +228,18 @@ void ValueSearch::extend_by(const Partial& partial, const Fit& fit,
   ends_[position + fit.length].push_back(longer);
 }
 
-// Sorts by value and keeps the best partial match of each: the one with most
-// words, then the most similar.
+// Sorts by value, as they often are already, and keeps the best partial match
+// of each: the one with most words, then the most similar.
 void ValueSearch::tidy(Partials& partials) const {
-  std::ranges::sort(partials, [](const Partial& left, const Partial& right) {
+  const auto before = [](const Partial& left, const Partial& right) {
     if (left.value != right.value)
       return left.value < right.value;
     return count(left.mask) != count(right.mask)
                ? count(left.mask) > count(right.mask)
                : left.similarity > right.similarity;
-  });
+  };
+  if (!std::ranges::is_sorted(partials, before))
+    std::ranges::sort(partials, before);
   const auto same = [](const Partial& left, const Partial& right) {
     return left.value == right.value;
   };

@@ -1,6 +1,9 @@
 #include "adapters/asr/sphinx/sphinx_decoder.hpp"
 
 #include <cstdio>
+#include <functional>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include <pocketsphinx.h>
@@ -53,6 +56,42 @@ std::string plain_word(const char* text) {
   return word.substr(0, word.find('('));
 }
 
+// How many ways to say it each word of a dictionary has, for those with
+// several.
+std::map<std::string, int, std::less<>> ways_to_say(std::string_view text) {
+  std::map<std::string, int, std::less<>> ways;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto line = text.substr(at, text.find('\n', at) - at);
+    at += line.size() + 1;
+    const auto name = line.substr(0, line.find(' '));
+    if (name.ends_with(')'))
+      ++ways.try_emplace(plain_word(std::string(name).c_str()), 1)
+            .first->second;
+  }
+  return ways;
+}
+
+// A grammar with all ways to say its words. The library can add them itself,
+// but looks through the whole grammar for each of them: twelve seconds for that
+// of the receptionist.
+std::string with_all_ways(std::string_view grammar,
+                          const std::map<std::string, int, std::less<>>& ways) {
+  std::string made;
+  made.reserve(grammar.size());
+  for (std::size_t at = 0; at < grammar.size();) {
+    const auto line = grammar.substr(at, grammar.find('\n', at) - at);
+    at += line.size() + 1;
+    made.append(line).append("\n");
+    if (!line.starts_with("TRANSITION"))
+      continue;
+    const auto word = line.substr(line.rfind(' ') + 1);
+    if (const auto found = ways.find(word); found != ways.end())
+      for (int way = 2; way <= found->second; ++way)
+        made.append(line).append("(" + std::to_string(way) + ")\n");
+  }
+  return made;
+}
+
 tl::unexpected<Error> refused(const std::string& what) {
   return fail(ErrorKind::settings, "PocketSphinx does not take " + what);
 }
@@ -64,6 +103,7 @@ struct SphinxDecoder::Implementation {
   Owned<ps_decoder_t> decoder;
   int frames_a_second = 100;
   bool is_open = false;
+  std::map<std::string, int, std::less<>> ways; // ways_to_say()
 
   float weight() const {
     return static_cast<float>(cmd_ln_float_r(config.get(), "-lw"));
@@ -94,7 +134,9 @@ Expected<SphinxDecoder> SphinxDecoder::make(const std::string& model,
   const auto* const more = passes == Passes::three ? "yes" : "no";
   made->config.reset(cmd_ln_init(nullptr, ps_args(), 1, "-hmm", model.c_str(),
                                  "-dict", file->path().c_str(), "-fwdflat",
-                                 more, "-bestpath", more, nullptr));
+                                 more, "-bestpath", more, "-fsgusealtpron",
+                                 "no", nullptr));
+  made->ways = ways_to_say(dictionary);
   if (made->config)
     made->decoder.reset(ps_init(made->config.get()));
   if (!made->decoder)
@@ -111,7 +153,7 @@ Expected<void> SphinxDecoder::add_grammar(const std::string& name,
   auto* const decoder = implementation_->decoder.get();
   cmd_ln_set_float_r(implementation_->config.get(), "-beam", wide_beam);
   cmd_ln_set_float_r(implementation_->config.get(), "-wbeam", wide_word_beam);
-  auto text = fsg;
+  auto text = with_all_ways(fsg, implementation_->ways);
   const Owned<std::FILE> file(fmemopen(text.data(), text.size(), "r"));
   const Owned<fsg_model_t> grammar(
       file ? fsg_model_read(file.get(), ps_get_logmath(decoder),

@@ -27,6 +27,8 @@ constexpr std::array contracted{
 // What is said counts more than what is drawn from grammars.
 constexpr double weight_of_said = 20;
 constexpr std::uint64_t seed = 1;
+// Three words that were drawn together once only were so by chance.
+constexpr double least_drawn = 2;
 // Utterances of several sentences, of those drawn.
 constexpr std::size_t one_in = 4;
 
@@ -196,29 +198,29 @@ FsgText Language::fsg(const WordGraph& graph) const {
 
 // Drawn with a fixed seed: equal sources give the same model.
 std::string Language::arpa(std::size_t count) const {
-  Trigrams trigrams;
-  auto sentences = draw_sentences(sentences_, count, seed);
+  TrigramCounts counts;
+  auto sentences = cover_arcs(sentences_, seed);
   // The platform's grammar says yes in many ways; what the application is about
   // is said as often, however few rules it has.
-  auto own = draw_sentences(own_, count, seed);
-  sentences.insert(sentences.end(), std::make_move_iterator(own.begin()),
-                   std::make_move_iterator(own.end()));
+  for (const auto* graph : {&sentences_, &own_})
+    for (auto& sentence : draw_sentences(*graph, count, seed))
+      sentences.push_back(std::move(sentence));
   auto drawn = fill_sets(sentences, symbols_, sets_, seed);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     // Every so often two in one breath.
     if (i % one_in == 0 && i > 0)
       drawn[i].insert(drawn[i].end(), drawn[i - 1].begin(), drawn[i - 1].end());
-    trigrams.add(drawn[i]);
+    counts.add(drawn[i]);
   }
   for (const auto& line : said_)
-    trigrams.add(line, weight_of_said);
+    counts.add(line, weight_of_said);
   // Of large sets, what was not drawn.
   for (const auto& [set, values] : sets_) {
     const std::vector<Sentence> alone(values.arc_count(), Sentence{set});
     for (const auto& value : fill_sets(alone, symbols_, sets_, seed + 1))
-      trigrams.add(value, 0.5);
+      counts.add(value, 0.5);
   }
-  return trigrams.arpa(symbols_);
+  return Trigrams(counts).arpa(symbols_, least_drawn);
 }
 
 // A value set is that of a slot or a column: its name has a point. It has no

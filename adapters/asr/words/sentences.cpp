@@ -145,9 +145,13 @@ std::vector<Sentence> draw_sentences(const WordGraph& graph, std::size_t count,
   for (std::size_t i = 0; i < count; ++i)
     if (auto sentence = drawing.draw(); !sentence.empty())
       sentences.push_back(std::move(sentence));
-  for (auto& sentence : drawing.draw_all())
-    if (!sentence.empty())
-      sentences.push_back(std::move(sentence));
+  return sentences;
+}
+
+std::vector<Sentence> cover_arcs(const WordGraph& graph, std::uint64_t seed) {
+  auto sentences = Drawing(graph, false, seed).draw_all();
+  std::erase_if(sentences,
+                [](const auto& sentence) { return sentence.empty(); });
   return sentences;
 }
 

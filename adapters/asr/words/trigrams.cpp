@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,13 +11,28 @@ namespace parlour::adapters::asr {
 
 namespace {
 
-// No word is a context of a pair.
+// In place of words that do not belong to a shorter context.
 constexpr Symbol nothing = 0xFFFFD;
+constexpr unsigned bits = 20; // of a symbol
+
+using Key = TrigramCounts::Key;
+
+Key pair_of(Symbol last, Symbol word) {
+  return TrigramCounts::key(nothing, last, word);
+}
+
+Key word_of(Symbol word) {
+  return pair_of(nothing, word);
+}
+
+Symbol symbol_at(Key key, unsigned place) {
+  return static_cast<Symbol>(key >> place * bits) & ((1U << bits) - 1);
+}
 
 std::string text_of(Symbol symbol, const Symbols& symbols) {
-  return symbol == Trigrams::begin ? "<s>"
-         : symbol == Trigrams::end ? "</s>"
-                                   : symbols.text(symbol);
+  return symbol == sentence_begin ? "<s>"
+         : symbol == sentence_end ? "</s>"
+                                  : symbols.text(symbol);
 }
 
 double decimal_logarithm(double probability) {
@@ -25,66 +41,87 @@ double decimal_logarithm(double probability) {
 
 } // namespace
 
+Key TrigramCounts::key(Symbol before, Symbol last, Symbol word) {
+  return (static_cast<Key>(before) << bits | last) << bits | word;
+}
+
+void TrigramCounts::add(const Sentence& sentence, double weight) {
+  auto before = sentence_begin;
+  auto last = sentence_begin;
+  for (const auto word : sentence) {
+    triples_[key(before, last, word)] += weight;
+    before = std::exchange(last, word);
+  }
+  triples_[key(before, last, sentence_end)] += weight;
+}
+
+// -- contexts -----------------------------------------------------------------
+
+void Trigrams::Context::follow(double times) {
+  count += times;
+  ++words;
+}
+
 // Witten and Bell: a context that was followed by many different words is
 // believed less, as others may follow it, too.
 double Trigrams::Context::trust() const {
-  return count > 0 ? count / (count + static_cast<double>(words.size())) : 0;
+  return count > 0 ? count / (count + static_cast<double>(words)) : 0;
 }
 
-Trigrams::Key Trigrams::key(Symbol before, Symbol last) {
-  return (static_cast<Key>(before) << 32) | last;
-}
-
-// Each word is counted in three contexts, and the end of the sentence as a
-// word.
-void Trigrams::add(const Sentence& sentence, double weight) {
-  auto before = begin;
-  auto last = begin;
-  auto count = [&](Symbol word) {
-    for (auto* context :
-         {&words_, &pairs_[key(nothing, last)], &triples_[key(before, last)]}) {
-      context->count += weight;
-      context->words[word] += weight;
-    }
-    before = last;
-    last = word;
-  };
-  for (const auto word : sentence)
-    count(word);
-  count(end);
-}
-
-const Trigrams::Context* Trigrams::find(Key key) const {
-  const auto& contexts = (key >> 32) == nothing ? pairs_ : triples_;
-  const auto found = contexts.find(key);
-  return found == contexts.end() ? nullptr : &found->second;
+void Trigrams::Order::count(Key context, Key with_word, double times) {
+  auto& counted = counts[with_word];
+  auto& in = contexts[context];
+  if (counted == 0)
+    in.follow(times);
+  else
+    in.count += times;
+  counted += times;
 }
 
 // `rest` is the probability in the shorter context.
-double Trigrams::interpolated(const Context* context, Symbol word,
-                              double rest) const {
-  if (!context)
+double Trigrams::Order::interpolated(Key context, Key with_word,
+                                     double rest) const {
+  const auto in = contexts.find(context);
+  if (in == contexts.end())
     return rest;
-  const auto found = context->words.find(word);
-  const auto own =
-      found == context->words.end() ? 0 : found->second / context->count;
-  const auto trust = context->trust();
+  const auto found = counts.find(with_word);
+  const auto own = found == counts.end() ? 0 : found->second / in->second.count;
+  const auto trust = in->second.trust();
   return trust * own + (1 - trust) * rest;
+}
+
+double Trigrams::Order::back_off(Key context) const {
+  const auto in = contexts.find(context);
+  return in == contexts.end() ? 0 : decimal_logarithm(1 - in->second.trust());
+}
+
+// -- the model ----------------------------------------------------------------
+
+Trigrams::Trigrams(const TrigramCounts& counts) {
+  for (const auto& [key, times] : counts.triples()) {
+    const auto word = symbol_at(key, 0);
+    const auto last = symbol_at(key, 1);
+    words_.count(word_of(nothing), word_of(word), times);
+    pairs_.count(word_of(last), pair_of(last, word), times);
+    triples_.count(pair_of(symbol_at(key, 2), last), key, times);
+  }
 }
 
 // The shortest context has a shorter one still: all words equally probable.
 double Trigrams::of_word(Symbol word) const {
   const auto size =
-      static_cast<double>(std::max<std::size_t>(1, words_.words.size()));
-  return interpolated(&words_, word, 1 / size);
+      static_cast<double>(std::max<std::size_t>(1, words_.counts.size()));
+  return words_.interpolated(word_of(nothing), word_of(word), 1 / size);
 }
 
 double Trigrams::of_pair(Symbol last, Symbol word) const {
-  return interpolated(find(key(nothing, last)), word, of_word(word));
+  return pairs_.interpolated(word_of(last), pair_of(last, word), of_word(word));
 }
 
 double Trigrams::probability(Symbol before, Symbol last, Symbol word) const {
-  return interpolated(find(key(before, last)), word, of_pair(last, word));
+  return triples_.interpolated(pair_of(before, last),
+                               TrigramCounts::key(before, last, word),
+                               of_pair(last, word));
 }
 
 // What stands in the file for a known triple is the interpolated probability;
@@ -100,10 +137,6 @@ std::string Trigrams::arpa(const Symbols& symbols, double least) const {
   std::size_t ones = 1;
   std::size_t twos = 0;
   std::size_t threes = 0;
-  auto back_off = [&](Key context) {
-    const auto* found = find(context);
-    return found ? decimal_logarithm(1 - found->trust()) : 0;
-  };
   auto write = [&](fmt::memory_buffer& to, double probability,
                    const auto&... words) {
     fmt::format_to(std::back_inserter(to), "{:.4f}",
@@ -115,32 +148,33 @@ std::string Trigrams::arpa(const Symbols& symbols, double least) const {
   };
   // <s> is never said; it is a context only.
   fmt::format_to(std::back_inserter(one), "-99 <s> {:.4f}\n",
-                 back_off(key(nothing, begin)));
-  for (const auto& [word, count] : words_.words) {
+                 pairs_.back_off(word_of(sentence_begin)));
+  for (const auto& [key, count] : words_.counts) {
+    const auto word = symbol_at(key, 0);
     write(one, of_word(word), text_of(word, symbols));
-    end_line(one, back_off(key(nothing, word)));
+    end_line(one, pairs_.back_off(word_of(word)));
     ++ones;
   }
-  for (const auto& [context, found] : pairs_)
-    for (const auto& [word, count] : found.words) {
-      const auto last = static_cast<Symbol>(context);
-      write(two, of_pair(last, word), text_of(last, symbols),
-            text_of(word, symbols));
-      end_line(two, back_off(key(last, word)));
-      ++twos;
-    }
-  for (const auto& [context, found] : triples_)
-    for (const auto& [word, count] : found.words) {
-      const auto before = static_cast<Symbol>(context >> 32);
-      const auto last = static_cast<Symbol>(context);
-      // "<s> <s> word" is the pair.
-      if (last == begin || count < least)
-        continue;
-      write(three, probability(before, last, word), text_of(before, symbols),
-            text_of(last, symbols), text_of(word, symbols));
-      three.push_back('\n');
-      ++threes;
-    }
+  for (const auto& [key, count] : pairs_.counts) {
+    const auto word = symbol_at(key, 0);
+    const auto last = symbol_at(key, 1);
+    write(two, of_pair(last, word), text_of(last, symbols),
+          text_of(word, symbols));
+    end_line(two, triples_.back_off(pair_of(last, word)));
+    ++twos;
+  }
+  for (const auto& [key, count] : triples_.counts) {
+    const auto word = symbol_at(key, 0);
+    const auto last = symbol_at(key, 1);
+    const auto before = symbol_at(key, 2);
+    // "<s> <s> word" is the pair.
+    if (last == sentence_begin || count < least)
+      continue;
+    write(three, probability(before, last, word), text_of(before, symbols),
+          text_of(last, symbols), text_of(word, symbols));
+    three.push_back('\n');
+    ++threes;
+  }
   return fmt::format("\\data\\\nngram 1={}\nngram 2={}\nngram "
                      "3={}\n\n\\1-grams:\n{}\n\\2-grams:\n{}\n\\3-grams:\n{}\n"
                      "\\end\\\n",

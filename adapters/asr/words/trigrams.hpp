@@ -13,44 +13,73 @@
 
 namespace parlour::adapters::asr {
 
-// Filled on one thread, then only read.
-class Trigrams {
+// Words and sets are numbered below these: there is room for a million.
+inline constexpr Symbol sentence_begin = 0xFFFFF;
+inline constexpr Symbol sentence_end = 0xFFFFE;
+
+// How often each word was said behind two others; pairs and words follow from
+// that.
+class TrigramCounts {
 public:
-  // The sentence counts `weight` times.
+  // Three symbols in one number.
+  using Key = std::uint64_t;
+  using Counts = std::unordered_map<Key, double>;
+
+  static Key key(Symbol before, Symbol last, Symbol word);
+
+  // The sentence counts `weight` times. Its end is a word, too.
   void add(const Sentence& sentence, double weight = 1);
 
+  const Counts& triples() const {
+    return triples_;
+  }
+
+private:
+  Counts triples_;
+};
+
+// Immutable after it was made.
+class Trigrams {
+public:
+  explicit Trigrams(const TrigramCounts& counts);
+
   // The probability of a word behind two others, of which each may be
-  // `Trigrams::begin`; the sentence's end is `Trigrams::end`.
+  // `sentence_begin`; the end is `sentence_end`.
   double probability(Symbol before, Symbol last, Symbol word) const;
 
   // Words are written as `symbols` has them. Triples that were counted less
   // than `least` are left to the back-off.
   std::string arpa(const Symbols& symbols, double least = 0) const;
 
-  // Words and sets are numbered below these: there is room for a million.
-  static constexpr Symbol begin = 0xFFFFF;
-  static constexpr Symbol end = 0xFFFFE;
-
 private:
-  // What follows a context.
+  using Key = TrigramCounts::Key;
+
+  // What words follow in.
   struct Context {
     double count = 0;
-    std::unordered_map<Symbol, double> words;
+    std::size_t words = 0; // different ones
 
+    void follow(double times);
     // How much the context itself is believed, 0 to 1.
     double trust() const;
   };
-  using Key = std::uint64_t;
+  // Contexts, and the words in them, each by the words that they consist of.
+  struct Order {
+    std::unordered_map<Key, Context> contexts;
+    TrigramCounts::Counts counts;
 
-  static Key key(Symbol before, Symbol last);
-  const Context* find(Key key) const;
-  double interpolated(const Context* context, Symbol word, double rest) const;
+    void count(Key context, Key with_word, double times);
+    double interpolated(Key context, Key with_word, double rest) const;
+    // The logarithm of what is left for words that were not seen there.
+    double back_off(Key context) const;
+  };
+
   double of_word(Symbol word) const;
   double of_pair(Symbol last, Symbol word) const;
 
-  Context words_;
-  std::unordered_map<Key, Context> pairs_;   // by the last word
-  std::unordered_map<Key, Context> triples_; // by the last two
+  Order words_;   // in the one context `nothing`
+  Order pairs_;   // by the last word
+  Order triples_; // by the last two
 };
 
 } // namespace parlour::adapters::asr

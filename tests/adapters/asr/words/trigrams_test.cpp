@@ -11,34 +11,36 @@ using testing::Not;
 
 class TrigramsTest : public testing::Test {
 protected:
-  TrigramsTest() {
-    trigrams.add({tea, please});
-    trigrams.add({coffee, please}, 2);
-    trigrams.add({tea});
+  Trigrams counted() const {
+    TrigramCounts counts;
+    counts.add({tea, please});
+    counts.add({coffee, please}, 2);
+    counts.add({tea});
+    return Trigrams(counts);
   }
 
   Symbols symbols;
-  Symbol tea = symbols.word("tea");
-  Symbol coffee = symbols.word("coffee");
-  Symbol please = symbols.word("please");
-  Trigrams trigrams;
+  const Symbol tea = symbols.word("tea");
+  const Symbol coffee = symbols.word("coffee");
+  const Symbol please = symbols.word("please");
+  const Trigrams trigrams = counted();
 };
 
 TEST_F(TrigramsTest, ProbabilitiesSumToOne) {
-  for (const auto last : {Trigrams::begin, tea, coffee, please}) {
+  for (const auto last : {sentence_begin, tea, coffee, please}) {
     double sum = 0;
-    for (const auto word : {tea, coffee, please, Trigrams::end})
-      sum += trigrams.probability(Trigrams::begin, last, word);
+    for (const auto word : {tea, coffee, please, sentence_end})
+      sum += trigrams.probability(sentence_begin, last, word);
     EXPECT_NEAR(sum, 1, 1e-9);
   }
 }
 
 TEST_F(TrigramsTest, WhatWasSaidIsMoreProbable) {
-  EXPECT_GT(trigrams.probability(Trigrams::begin, coffee, please),
-            trigrams.probability(Trigrams::begin, coffee, tea));
-  EXPECT_GT(trigrams.probability(Trigrams::begin, Trigrams::begin, tea),
-            trigrams.probability(Trigrams::begin, Trigrams::begin, please));
-  EXPECT_GT(trigrams.probability(Trigrams::begin, coffee, tea), 0);
+  EXPECT_GT(trigrams.probability(sentence_begin, coffee, please),
+            trigrams.probability(sentence_begin, coffee, tea));
+  EXPECT_GT(trigrams.probability(sentence_begin, sentence_begin, tea),
+            trigrams.probability(sentence_begin, sentence_begin, please));
+  EXPECT_GT(trigrams.probability(sentence_begin, coffee, tea), 0);
 }
 
 TEST_F(TrigramsTest, AreWrittenAsArpa) {

@@ -63,6 +63,9 @@ struct timer_due {
   std::uint64_t id;
   InFlight work;
 };
+// Something that the session watches by the clock may be due; it sends this to
+// itself.
+struct wake_up {};
 // The database's answer to a query of the session's script.
 struct query_outcome {
   std::uint64_t id;
@@ -105,9 +108,9 @@ struct leave {
 using session_actor = caf::typed_actor<
     caf::reacts_to<begin_session>, caf::reacts_to<deliver>,
     caf::reacts_to<take_step>, caf::reacts_to<timer_due>,
-    caf::reacts_to<query_outcome>, caf::reacts_to<file_outcome>,
-    caf::reacts_to<socket_told>, caf::reacts_to<output_done>,
-    caf::replies_to<get_slot>::with<slot_told>,
+    caf::reacts_to<wake_up>, caf::reacts_to<query_outcome>,
+    caf::reacts_to<file_outcome>, caf::reacts_to<socket_told>,
+    caf::reacts_to<output_done>, caf::replies_to<get_slot>::with<slot_told>,
     caf::replies_to<get_state>::with<state_told>, caf::reacts_to<end_session>,
     caf::reacts_to<record_written>,
     caf::replies_to<change_program>::with<program_changed>,

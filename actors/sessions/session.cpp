@@ -69,7 +69,7 @@ session_actor::behavior_type over(Self self) {
         self->send(self->state.parts->manager,
                    forward{what.messages, what.work});
       },
-      [](const take_step&) {}, [](const timer_due&) {},
+      [](const take_step&) {}, [](const timer_due&) {}, [](const wake_up&) {},
       [](const query_outcome&) {}, [](const file_outcome&) {},
       [](const socket_told&) {}, [](const output_done&) {},
       [=](const get_slot& what) { return tell_slot(self, what); },
@@ -253,7 +253,6 @@ void hear_timer(Self self, const timer_due& what) {
   go_on(self);
 }
 
-// The outcome is a result set, or an error that the script may catch.
 void hear_query(Self self, const query_outcome& what) {
   port_of(self).query_is_over(what.id);
   take(self, input::QueryAnswered{what.id, what.outcome});
@@ -374,6 +373,7 @@ session(session_actor::stateful_pointer<session_state> self,
       [=](const deliver& what) { queue(self, what); },
       [=](const take_step&) { take_one_step(self); },
       [=](const timer_due& what) { hear_timer(self, what); },
+      [=](const wake_up&) { port_of(self).wake(); },
       [=](const query_outcome& what) { hear_query(self, what); },
       [=](const file_outcome& what) { hear_file(self, what); },
       [=](const socket_told& what) { hear_socket(self, what); },

@@ -21,7 +21,7 @@ SessionPort::SessionPort(session_actor::pointer self,
       bus_(parts_->bus), id_(std::move(id)), seat_(std::move(seat)),
       ask_frame_(std::move(ask_frame)),
       component_done_(std::move(component_done)),
-      effects_(parts_->strict_journal),
+      effects_(parts_->strict_journal), alarm_(self_, time_, bus_),
       sockets_(time_, parts_->sockets, session_actor(self_), id_) {}
 
 // At once, where nothing has to wait for the journal.
@@ -145,12 +145,17 @@ ActorTrace SessionPort::trace_of(const char* kind,
   return {parts_->observer, kind, name, id_};
 }
 
-// A timer is an actor of its own, so that CAF's clock ends it; its due time is
-// noted first, as virtual time must not jump over it.
+// A script's timer is an actor of its own, so that CAF's clock ends it; its due
+// time is noted first, as virtual time must not jump over it.
 // A timer of the same number is replaced. One that is overdue, as after a
 // crash, fires at once.
-void SessionPort::start_timer(dialogue::TimerId id, Timestamp due) {
+void SessionPort::start_timer(dialogue::TimerId id, Timestamp due,
+                              dialogue::TimerOwner owner) {
   cancel_timer(id);
+  if (owner == dialogue::TimerOwner::engine) {
+    alarm_.set(id, due);
+    return;
+  }
   const auto after = std::max(due - time_.now(), Timestamp{0});
   auto entry = time_.due_times.add(due, DueTimes::Of::session);
   auto actor =
@@ -161,6 +166,7 @@ void SessionPort::start_timer(dialogue::TimerId id, Timestamp due) {
 }
 
 void SessionPort::cancel_timer(dialogue::TimerId id) {
+  alarm_.cancel(id);
   if (auto found = timers_.extract(id))
     end_timer(found.mapped());
 }
@@ -371,6 +377,7 @@ SessionPort::~SessionPort() {
 
 // Safe to call twice: what was ended is forgotten.
 void SessionPort::end_all() {
+  alarm_.cancel_all();
   for (const auto& [id, timer] : std::exchange(timers_, {}))
     end_timer(timer);
   for (const auto& [id, query] : std::exchange(queries_, {})) {

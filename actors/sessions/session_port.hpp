@@ -7,6 +7,7 @@
 #include <map>
 
 #include "actors/sessions/held_effects.hpp"
+#include "actors/sessions/session_alarm.hpp"
 #include "actors/sessions/session_parts.hpp"
 #include "actors/sessions/session_sockets.hpp"
 #include "actors/sessions/turn_meter.hpp"
@@ -48,7 +49,8 @@ public:
   // What is wanted from here on comes back as a message to the session:
   // timer_due, query_outcome, file_outcome, socket_told; of component() by
   // ComponentDone.
-  void start_timer(dialogue::TimerId id, Timestamp due) override;
+  void start_timer(dialogue::TimerId id, Timestamp due,
+                   dialogue::TimerOwner owner) override;
   void cancel_timer(dialogue::TimerId id) override;
   void query(dialogue::QueryRequest request) override;
   void file(dialogue::QueryId id, FileRequest request) override;
@@ -76,6 +78,10 @@ public:
 
   // What it started is over by itself.
   void timer_is_over(dialogue::TimerId id);
+  // On wake_up: what the engine watches rings where it is due.
+  void wake() {
+    alarm_.wake();
+  }
   void query_is_over(dialogue::QueryId id);
   void socket_is_over(dialogue::SocketId id);
   // What a socket said as messages for the conversation, after the routes.
@@ -154,7 +160,8 @@ private:
   std::string last_error_;
   std::uint64_t turn_ = 0;
   HeldEffects effects_;
-  std::map<dialogue::TimerId, Timer> timers_;
+  SessionAlarm alarm_;
+  std::map<dialogue::TimerId, Timer> timers_; // of scripts
   std::map<dialogue::QueryId, Query> queries_;
   SessionSockets sockets_;
   std::map<script::TopicId, topic_frame_actor> frames_;

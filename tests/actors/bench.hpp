@@ -100,6 +100,7 @@ public:
               [=](const timer_due& what) {
                 note("rings " + std::to_string(what.id));
               },
+              [=](const wake_up&) { note("wakes"); },
               [=](const query_outcome&) { note("has an outcome"); },
               [=](const file_outcome& what) {
                 note("has of a file " +

@@ -145,7 +145,8 @@ void Surroundings::release(const dialogue::Output& output) {
   playing.push_back(output.id);
 }
 
-void Surroundings::start_timer(dialogue::TimerId id, Timestamp due) {
+void Surroundings::start_timer(dialogue::TimerId id, Timestamp due,
+                               dialogue::TimerOwner) {
   timers_[id] = due;
 }
 

@@ -107,7 +107,8 @@ public:
                  const std::string& source) const override;
   Reply reply_to_request(const Message& event) const override;
   void release(const dialogue::Output& output) override;
-  void start_timer(dialogue::TimerId id, Timestamp due) override;
+  void start_timer(dialogue::TimerId id, Timestamp due,
+                   dialogue::TimerOwner owner) override;
   void cancel_timer(dialogue::TimerId id) override;
   void query(dialogue::QueryRequest request) override;
   void file(dialogue::QueryId id, FileRequest request) override;

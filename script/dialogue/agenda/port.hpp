@@ -30,6 +30,9 @@ namespace parlour::dialogue {
 // Ids that the conversation chooses; unique within a session, and kept when it
 // goes on elsewhere. 0: none.
 using TimerId = std::uint64_t;
+// Whom a timer rings for: a <timer> or <wait> of a script, or what the engine
+// watches by itself, such as silence and deadlines.
+enum class TimerOwner : std::uint8_t { script, engine };
 using QueryId = std::uint64_t;
 using SocketId = std::uint64_t; // a session's own
 
@@ -97,7 +100,7 @@ public:
   virtual void release(const Output& output) = 0;
 
   // Conversation::timer_fired follows at that time; at once where it is over.
-  virtual void start_timer(TimerId id, Timestamp due) = 0;
+  virtual void start_timer(TimerId id, Timestamp due, TimerOwner owner) = 0;
   // It may ring all the same where it has rung already: Timers ignores that.
   virtual void cancel_timer(TimerId id) = 0;
   // Conversation::query_answered follows, at the latest when `request-timeout`

@@ -7,10 +7,19 @@
 
 namespace parlour::dialogue {
 
+// A deadline is watched by the engine, also that of a script's <request>.
+void Timers::ring_at(TimerId id, const Timer& timer) {
+  const bool of_script =
+      timer.purpose == Timer::Purpose::script ||
+      (timer.purpose == Timer::Purpose::wait && timer.correlation == 0);
+  port_->start_timer(id, timer.due,
+                     of_script ? TimerOwner::script : TimerOwner::engine);
+}
+
 TimerId Timers::start(Timestamp due, Timer timer) {
   timer.due = due;
-  timers_.emplace_back(++last_, std::move(timer));
-  port_->start_timer(last_, due);
+  const auto& entry = timers_.emplace_back(++last_, std::move(timer));
+  ring_at(last_, entry.second);
   return last_;
 }
 
@@ -19,13 +28,13 @@ TimerId Timers::start(Timestamp due, Timer::Purpose purpose) {
   entry.first = ++last_;
   entry.second.purpose = purpose;
   entry.second.due = due;
-  port_->start_timer(last_, due);
+  ring_at(last_, entry.second);
   return last_;
 }
 
 void Timers::resume() {
   for (const auto& [id, timer] : timers_)
-    port_->start_timer(id, timer.due);
+    ring_at(id, timer);
 }
 
 // From the end: the timers that come and go with each input, such as that of

@@ -133,6 +133,7 @@ public:
   }
 
 private:
+  void ring_at(TimerId id, const Timer& timer);
   template <class Predicate>
   void cancel_where(Predicate predicate) {
     std::erase_if(timers_, [&](const auto& entry) {

@@ -65,9 +65,9 @@ void RecordingPort::release(const Output& output) {
   port_.release(output);
 }
 
-void RecordingPort::start_timer(TimerId id, Timestamp due) {
+void RecordingPort::start_timer(TimerId id, Timestamp due, TimerOwner owner) {
   wishes_.start_timer(id, due);
-  port_.start_timer(id, due);
+  port_.start_timer(id, due, owner);
 }
 
 void RecordingPort::cancel_timer(TimerId id) {

@@ -31,7 +31,7 @@ public:
                  const std::string& source) const override;
   Reply reply_to_request(const Message& event) const override;
   void release(const Output& output) override;
-  void start_timer(TimerId id, Timestamp due) override;
+  void start_timer(TimerId id, Timestamp due, TimerOwner owner) override;
   void cancel_timer(TimerId id) override;
   void query(QueryRequest request) override;
   void file(QueryId id, FileRequest request) override;

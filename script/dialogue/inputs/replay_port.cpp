@@ -107,7 +107,7 @@ void ReplayPort::release(const Output& output) {
     on_output(output);
 }
 
-void ReplayPort::start_timer(TimerId id, Timestamp due) {
+void ReplayPort::start_timer(TimerId id, Timestamp due, TimerOwner) {
   wishes_.start_timer(id, due);
 }
 

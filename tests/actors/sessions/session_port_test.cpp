@@ -6,6 +6,7 @@
 namespace parlour::actors {
 namespace {
 
+using dialogue::TimerOwner;
 using Self = session_actor::stateful_pointer<session_state>;
 
 dialogue::QueryRequest question() {
@@ -39,6 +40,7 @@ protected:
                 port->timer_is_over(what.id);
                 heard.push_back("rings " + std::to_string(what.id));
               },
+              [=](const wake_up&) { port->wake(); },
               [=, this](const query_outcome& what) {
                 port->query_is_over(what.id);
                 heard.push_back(what.outcome ? "rows"
@@ -163,10 +165,10 @@ TEST_F(SessionPortTest, TellsOfTroubleWithoutBeingWatched) {
 
 TEST_F(SessionPortTest, ATimerRingsOnceAndIsReplacedAndCancelled) {
   with_port([](SessionPort& port) {
-    port.start_timer(1, nine_o_clock + 5);
-    port.start_timer(2, nine_o_clock + 5);
-    port.start_timer(1, nine_o_clock + 20);
-    port.start_timer(3, nine_o_clock + 5);
+    port.start_timer(1, nine_o_clock + 5, TimerOwner::script);
+    port.start_timer(2, nine_o_clock + 5, TimerOwner::script);
+    port.start_timer(1, nine_o_clock + 20, TimerOwner::script);
+    port.start_timer(3, nine_o_clock + 5, TimerOwner::script);
     port.cancel_timer(3);
     port.cancel_timer(99);
   });
@@ -178,8 +180,25 @@ TEST_F(SessionPortTest, ATimerRingsOnceAndIsReplacedAndCancelled) {
 }
 
 TEST_F(SessionPortTest, ATimerThatIsOverdueRingsAtOnce) {
-  with_port([](SessionPort& port) { port.start_timer(1, nine_o_clock - 5); });
+  with_port([](SessionPort& port) {
+    port.start_timer(1, nine_o_clock - 5, TimerOwner::script);
+  });
   EXPECT_THAT(heard, ElementsAre("rings 1"));
+  EXPECT_FALSE(bench.time.due_times.next());
+}
+
+TEST_F(SessionPortTest, WhatTheEngineWatchesHasNoActor) {
+  std::size_t working = 0;
+  with_port([&](SessionPort& port) {
+    port.start_timer(1, nine_o_clock + 5, TimerOwner::engine);
+    port.start_timer(2, nine_o_clock + 5, TimerOwner::script);
+    port.start_timer(3, nine_o_clock + 5, TimerOwner::engine);
+    port.cancel_timer(3);
+    working = port.children().size();
+  });
+  EXPECT_EQ(working, 1U);
+  bench.scheduler->advance(10ms);
+  EXPECT_THAT(heard, testing::UnorderedElementsAre("rings 1", "rings 2"));
   EXPECT_FALSE(bench.time.due_times.next());
 }
 
@@ -192,7 +211,7 @@ TEST_F(SessionPortTest, AQueryHasAnOutcome) {
 TEST_F(SessionPortTest, LeavesNothingBehind) {
   bench.set_table({bench.target("db", {"Database"})});
   with_port([](SessionPort& port) {
-    port.start_timer(1, nine_o_clock + 3'600'000);
+    port.start_timer(1, nine_o_clock + 3'600'000, TimerOwner::script);
     port.query(question());
   });
   EXPECT_TRUE(bench.time.due_times.next());

@@ -31,11 +31,11 @@ TEST(RecordingPort, TellsApartWhatIsWanted) {
   world.repeats = false; // timers of nobody ring there
   RecordingPort port(world);
   const auto nothing = port.take_answers().wishes;
-  port.start_timer(1, 5);
+  port.start_timer(1, 5, TimerOwner::engine);
   const auto one = port.take_answers().wishes;
-  port.start_timer(1, 6);
+  port.start_timer(1, 6, TimerOwner::engine);
   const auto other = port.take_answers().wishes;
-  port.start_timer(1, 5);
+  port.start_timer(1, 5, TimerOwner::engine);
   EXPECT_EQ(port.take_answers().wishes, one);
   EXPECT_NE(one, other);
   EXPECT_NE(one, nothing);

@@ -29,14 +29,17 @@ OFFERS = {
     "Ya Kun Toastwich": "breakfast, toast, something to drink, drink",
     "Good Health Pharmacy": "tablets, pills, painkillers, aspirin, bandage, "
                             "something for a headache, cough medicine, "
+                            "something for a cold, something for a cough, "
                             "first aid, paracetamol",
-    "Paper Crane Books": "newspaper, pens, notebook, postcards, stamps, "
-                         "envelope, gifts",
+    "Paper Crane Books": "newspaper, pens, pencil, notebook, postcards, "
+                         "birthday card, greeting card, stamps, envelope, "
+                         "gifts",
     "Kelapa Kitchen": "malay food, a meal",
     "Saffron Table": "indian food, a meal",
     "White Pearl Dental": "toothache",
     "Silver Scissors": "hairdresser",
-    "Evergreen Medical": "see a doctor, medical help, nurse",
+    "Evergreen Medical": "see a doctor, medical help, nurse, jab, vaccine, "
+                         "injection, flu shot, checkup",
     "Nursing Room": "breastfeed, change a nappy, feed a baby, "
                     "baby changing",
     "Sharp Copies": "print something, make a copy, photocopy, scan",
@@ -47,7 +50,10 @@ OFFERS = {
     "Prayer Room": "pray",
     "Swimming pool": "swimming, a swim",
     "Skyline Gym": "exercise, work out",
-    "Cloud Terrace": "steak, cocktails, beer, wine, a meal",
+    "Cloud Terrace": "steak, cocktails, beer, pint, wine, a meal",
+    "Merlin Cleaners": "tailor",
+    "Bright Steps": "preschool",
+    "Viewing Deck": "photos, pictures, sunset",
 }
 
 NO_OFFERS = {
@@ -90,7 +96,8 @@ FACILITIES = [
     ("Daily Stop", "convenience store", "snacks, drinks, umbrella", -1,
      "Daily Stop is a convenience store at basement one that never closes."),
     ("MRT Entrance", "train station", "mrt, train, circle line", -1,
-     "The MRT Entrance is at basement one, past the supermarket."),
+     "The MRT Entrance is at basement one, past the supermarket, and leads to "
+     "the Circle Line."),
     ("Merlin Cleaners", "laundry", "dry cleaning, ironing, alterations", -1,
      "Merlin Cleaners at basement one returns a shirt on the same day."),
     ("Lion City Exchange", "money changer", "currency, ringgit, dollars", -1,
@@ -181,15 +188,17 @@ FACILITIES = [
     ("Prayer Room", "prayer room", "prayer, quiet", 9,
      "The Prayer Room is on the ninth floor and is open to everyone."),
     ("Orchid Room", "meeting room", "meeting, projector, twelve seats", 11,
-     "The Orchid Room is a meeting room for twelve on the eleventh floor."),
+     "The Orchid Room is a meeting room for twelve on the eleventh floor, with "
+     "a projector."),
     ("Jasmine Room", "meeting room", "meeting, screen, six seats", 11,
-     "The Jasmine Room is a meeting room for six on the eleventh floor."),
+     "The Jasmine Room is a meeting room for six on the eleventh floor, with a "
+     "screen."),
     ("Star home", "showroom", "smart home, demonstration, apartment", 12,
      "Star home is an apartment of the future on the twelfth floor, shown "
      "every hour."),
     ("Angsana Room", "meeting room", "meeting, projector, twenty seats", 13,
-     "The Angsana Room is a meeting room for twenty on the thirteenth "
-     "floor."),
+     "The Angsana Room is a meeting room for twenty on the thirteenth floor, "
+     "with a projector."),
     ("Tembusu Room", "meeting room", "meeting, video, eight seats", 17,
      "The Tembusu Room is a meeting room for eight on the seventeenth floor, "
      "with a video link."),

@@ -12,11 +12,13 @@ namespace {
 
 using Words = WordSet;
 
+// In English, and of visitors from elsewhere.
 const Words& titles() {
-  static const Words words{"dr",        "doctor", "mr",     "mister",
-                           "mrs",       "ms",     "miss",   "prof",
-                           "professor", "sir",    "madam",  "mdm",
-                           "madame",    "mme",    "missus", "missis"};
+  static const Words words{
+      "dr",     "doctor", "mr",       "mister", "mrs",       "ms",     "miss",
+      "prof",   "madam",  "mdm",      "madame", "professor", "sir",    "mme",
+      "missus", "missis", "monsieur", "herr",   "frau",      "senor",  "senora",
+      "signor", "tuan",   "encik",    "puan",   "cik",       "signora"};
   return words;
 }
 

@@ -274,6 +274,8 @@ class Platform:
         self.raw = []  # messages of every kind
         self.changed = threading.Condition()
         self.accepted = self.hellos = 0
+        self.may_answer = threading.Event()
+        self.may_answer.set()
         self._breaks_after = breaks_after
         self._tls = tls
         self._orders = []  # bytes to be written as they are
@@ -348,6 +350,7 @@ class Platform:
 
     def _hand_on(self, message):
         if message.sinks:  # a request: answered
+            self.may_answer.wait(20)
             self.link.send(Message(
                 component="Clock", command="Time", parameters=["noon"],
                 correlation=message.correlation))
@@ -416,8 +419,10 @@ class WholeAgent(unittest.TestCase):
         robot = self.start(platform)
         came = []
         robot.on("*")(lambda message: came.append(message.command))
+        platform.may_answer.clear()
         with self.assertRaises(Refused):
             robot.request("Clock", "Ask", timeout=0.0)
+        platform.may_answer.set()
         platform.wait_for(1)
         platform.link.send(Message(command="Stop"))
         platform.until(lambda: not platform.link.waiting)

@@ -13,7 +13,7 @@ class Ports : public Port {
 public:
   std::map<TimerId, Timestamp> running;
 
-  void start_timer(TimerId id, Timestamp due, TimerOwner owner) override {
+  void start_timer(TimerId id, Timestamp due, TimerOwner) override {
     running[id] = due;
   }
   void cancel_timer(TimerId id) override {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "tests/tools/bench/nlu/data_folder.hpp"
 #include "tools/bench/nlu/labelled_data.hpp"
 
@@ -30,8 +32,9 @@ TEST_F(LabelledDataTest, ReadsTagsAsSlots) {
 TEST_F(LabelledDataTest, ReadsTenOfATopic) {
   for (const std::string set : {"BANKING77", "CLINC150", "HWU64"})
     for (const std::string part : {"train_10", "train", "test"}) {
-      write("Datasets/" + set + "/" + part + "/seq.in", part + " one\n");
-      write("Datasets/" + set + "/" + part + "/label", "topic\n");
+      const auto place = fmt::format("Datasets/{}/{}", set, part);
+      write(place + "/seq.in", part + " one\n");
+      write(place + "/label", "topic\n");
     }
   for (const auto read : {read_ten_of_banking, read_ten_of_clinc}) {
     const auto sets = read(folder(), DataPart::test);

@@ -16,10 +16,6 @@ constexpr Milliseconds longest_wait{600'000};
 
 } // namespace
 
-SessionAlarm::~SessionAlarm() {
-  cancel_all();
-}
-
 void SessionAlarm::set(dialogue::TimerId id, Timestamp due) {
   watches_.push_back(
       {id, due,

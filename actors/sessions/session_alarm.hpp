@@ -15,12 +15,11 @@
 namespace parlour::actors {
 
 // Owned by the session's port and used on its thread only. What is set has its
-// due time in NodeTime, too, until it rings or is cancelled.
+// due time in NodeTime, too, until it rings, is cancelled, or goes with this.
 class SessionAlarm {
 public:
   SessionAlarm(session_actor::pointer self, NodeTime& time, MessageBus& bus)
       : self_(self), time_(time), bus_(bus) {}
-  ~SessionAlarm(); // cancels all
 
   // timer_due follows at that time; at once where it is over.
   void set(dialogue::TimerId id, Timestamp due);

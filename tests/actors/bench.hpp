@@ -18,15 +18,51 @@
 
 namespace parlour::actors {
 
-// `elements` are the children of <dialogue>, `targets` the components in the
-// routing table.
 // Of a probe.
 inline constexpr auto no_status = [](const get_status& what) {
   return status_told{what.number, {}};
 };
 
+// What a session of a test does by itself; the rest it ignores, until it is
+// ended.
+struct SessionCalls {
+  std::function<void()> begins;
+  std::function<void(const timer_due&)> rings;
+  std::function<void()> wakes;
+  std::function<void(const query_outcome&)> is_answered =
+      [](const query_outcome&) {};
+};
+
+inline session_actor::behavior_type session_with(session_actor::pointer self,
+                                                 const SessionCalls& calls) {
+  return {
+      [begins = calls.begins](const begin_session&) { begins(); },
+      [](const deliver&) {},
+      [](const take_step&) {},
+      [rings = calls.rings](const timer_due& what) { rings(what); },
+      [wakes = calls.wakes](const wake_up&) { wakes(); },
+      [answered = calls.is_answered](const query_outcome& what) {
+        answered(what);
+      },
+      [](const file_outcome&) {},
+      [](const socket_told&) {},
+      [](const output_done&) {},
+      [](const get_slot&) { return slot_told{}; },
+      [](const get_state&) { return state_told{}; },
+      [self](const end_session&) { self->quit(); },
+      [](const record_written&) {},
+      [](const change_program&) { return program_changed(); },
+      [](const scripts_over&) {},
+      [](const rest_if_idle&) {},
+      [](const leave&) {},
+      no_status,
+  };
+}
+
 class Bench {
 public:
+  // `elements` are the children of <dialogue>, `targets` the components in the
+  // routing table.
   explicit Bench(const std::string& elements = "",
                  std::vector<Target> targets = {})
       : program(compile(elements)) {

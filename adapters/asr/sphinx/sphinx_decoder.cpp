@@ -56,16 +56,18 @@ std::string plain_word(const char* text) {
   return word.substr(0, word.find('('));
 }
 
-// How many ways to say it each word of a dictionary has, for those with
-// several.
-std::map<std::string, int, std::less<>> ways_to_say(std::string_view text) {
-  std::map<std::string, int, std::less<>> ways;
+// How many ways to say it a word has, for words with several.
+using Ways = std::map<std::string, int, std::less<>>;
+
+// Those of a dictionary.
+Ways ways_to_say(std::string_view text) {
+  Ways ways;
   for (std::size_t at = 0; at < text.size();) {
     const auto line = text.substr(at, text.find('\n', at) - at);
     at += line.size() + 1;
     const auto name = line.substr(0, line.find(' '));
     if (name.ends_with(')'))
-      ++ways.try_emplace(plain_word(std::string(name).c_str()), 1)
+      ++ways.try_emplace(std::string(name.substr(0, name.find('('))), 1)
             .first->second;
   }
   return ways;
@@ -74,8 +76,7 @@ std::map<std::string, int, std::less<>> ways_to_say(std::string_view text) {
 // A grammar with all ways to say its words. The library can add them itself,
 // but looks through the whole grammar for each of them: twelve seconds for that
 // of the receptionist.
-std::string with_all_ways(std::string_view grammar,
-                          const std::map<std::string, int, std::less<>>& ways) {
+std::string with_all_ways(std::string_view grammar, const Ways& ways) {
   std::string made;
   made.reserve(grammar.size());
   for (std::size_t at = 0; at < grammar.size();) {
@@ -103,7 +104,7 @@ struct SphinxDecoder::Implementation {
   Owned<ps_decoder_t> decoder;
   int frames_a_second = 100;
   bool is_open = false;
-  std::map<std::string, int, std::less<>> ways; // ways_to_say()
+  Ways ways; // of its dictionary
 
   float weight() const {
     return static_cast<float>(cmd_ln_float_r(config.get(), "-lw"));

@@ -57,11 +57,6 @@ void TrigramCounts::add(const Sentence& sentence, double weight) {
 
 // -- contexts -----------------------------------------------------------------
 
-void Trigrams::Context::follow(double times) {
-  count += times;
-  ++words;
-}
-
 // Witten and Bell: a context that was followed by many different words is
 // believed less, as others may follow it, too.
 double Trigrams::Context::trust() const {
@@ -71,10 +66,8 @@ double Trigrams::Context::trust() const {
 void Trigrams::Order::count(Key context, Key with_word, double times) {
   auto& counted = counts[with_word];
   auto& in = contexts[context];
-  if (counted == 0)
-    in.follow(times);
-  else
-    in.count += times;
+  in.words += counted == 0 ? 1 : 0;
+  in.count += times;
   counted += times;
 }
 

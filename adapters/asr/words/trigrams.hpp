@@ -59,7 +59,6 @@ private:
     double count = 0;
     std::size_t words = 0; // different ones
 
-    void follow(double times);
     // How much the context itself is believed, 0 to 1.
     double trust() const;
   };

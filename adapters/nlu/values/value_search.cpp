@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "adapters/nlu/forms/number_words.hpp"
@@ -132,7 +131,8 @@ void ValueSearch::add_said_alike(std::size_t position) {
 void ValueSearch::look_up(std::size_t position, std::string_view word,
                           bool misspelt, std::uint8_t length, bool spelt) {
   using enum Spelling;
-  const auto& [words, joined] = std::tie(index_.words_, index_.joined_);
+  const auto& words = index_.words_;
+  const auto& joined = index_.joined_;
   add_hits(position, words, words.index.find(word, misspelt ? loose : exact),
            length, spelt);
   add_hits(position, joined, joined.index.find(word, misspelt ? nearly : exact),

@@ -20,29 +20,14 @@ protected:
                   int) -> session_actor::behavior_type {
           auto alarm =
               std::make_shared<SessionAlarm>(self, bench.time, bench.bus);
-          return {
-              [=](const begin_session&) { use(*alarm); },
-              [](const deliver&) {},
-              [](const take_step&) {},
-              [this](const timer_due& what) { heard.push_back(what.id); },
-              [=, this](const wake_up&) {
-                ++wakes;
-                alarm->wake();
-              },
-              [](const query_outcome&) {},
-              [](const file_outcome&) {},
-              [](const socket_told&) {},
-              [](const output_done&) {},
-              [](const get_slot&) { return slot_told{}; },
-              [](const get_state&) { return state_told{}; },
-              [self](const end_session&) { self->quit(); },
-              [](const record_written&) {},
-              [](const change_program&) { return program_changed(); },
-              [](const scripts_over&) {},
-              [](const rest_if_idle&) {},
-              [](const leave&) {},
-              no_status,
-          };
+          return session_with(self, {[=] { use(*alarm); },
+                                     [this](const timer_due& what) {
+                                       heard.push_back(what.id);
+                                     },
+                                     [=, this] {
+                                       ++wakes;
+                                       alarm->wake();
+                                     }});
         },
         0);
     bench.send(user, begin_session{bench.work()});

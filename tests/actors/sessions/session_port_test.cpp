@@ -32,33 +32,19 @@ protected:
         [=, this](Self self, int) -> session_actor::behavior_type {
           auto port = std::make_shared<SessionPort>(
               self, std::make_shared<const SessionParts>(parts), "s1", seat);
-          return {
-              [=](const begin_session&) { use(*port); },
-              [](const deliver&) {},
-              [](const take_step&) {},
-              [=, this](const timer_due& what) {
-                port->timer_is_over(what.id);
-                heard.push_back("rings " + std::to_string(what.id));
-              },
-              [=](const wake_up&) { port->wake(); },
-              [=, this](const query_outcome& what) {
-                port->query_is_over(what.id);
-                heard.push_back(what.outcome ? "rows"
-                                             : what.outcome.error().message);
-              },
-              [](const file_outcome&) {},
-              [](const socket_told&) {},
-              [](const output_done&) {},
-              [](const get_slot&) { return slot_told{}; },
-              [](const get_state&) { return state_told{}; },
-              [self](const end_session&) { self->quit(); },
-              [](const record_written&) {},
-              [](const change_program&) { return program_changed(); },
-              [](const scripts_over&) {},
-              [](const rest_if_idle&) {},
-              [](const leave&) {},
-              no_status,
-          };
+          return session_with(
+              self, {[=] { use(*port); },
+                     [=, this](const timer_due& what) {
+                       port->timer_is_over(what.id);
+                       heard.push_back("rings " + std::to_string(what.id));
+                     },
+                     [=] { port->wake(); },
+                     [=, this](const query_outcome& what) {
+                       port->query_is_over(what.id);
+                       heard.push_back(what.outcome
+                                           ? "rows"
+                                           : what.outcome.error().message);
+                     }});
         },
         0);
     bench.send(user, begin_session{bench.work()});

@@ -80,6 +80,16 @@ void measure(NluData& data, const Labelled& row) {
   data.texts.push_back({row.text, row.label, Marked(row).slots});
 }
 
+NluData data_of(const std::vector<Labelled>& train,
+                const std::vector<Labelled>& test) {
+  NluData data;
+  for (const auto& row : train)
+    learn(data, row);
+  for (const auto& row : test)
+    measure(data, row);
+  return data;
+}
+
 // Every so manieth row is held out.
 void learn_or_measure(NluData& data, const std::vector<Labelled>& rows,
                       std::size_t one_in, std::size_t turn) {
@@ -128,13 +138,9 @@ Expected<NluSets> read_set(const fs::path& folder, const std::string& name,
                            "Datasets/" + name, name});
   if (!place)
     return tl::make_unexpected(place.error());
-  NluData data;
-  for (const auto& row : read_lines(*place / train))
-    learn(data, row);
-  for (const auto& row :
-       read_lines(*place / (part == DataPart::test ? "test" : "valid")))
-    measure(data, row);
-  return NluSets{std::move(data)};
+  return NluSets{data_of(
+      read_lines(*place / train),
+      read_lines(*place / (part == DataPart::test ? "test" : "valid")))};
 }
 
 // Texts between empty lines, a word and its tag on each line; the first is a
@@ -163,15 +169,10 @@ std::vector<Labelled> read_tagged(const fs::path& path) {
 // Without a validation part.
 NluSets split(const std::vector<Labelled>& train,
               const std::vector<Labelled>& test, DataPart part) {
+  if (part == DataPart::test)
+    return {data_of(train, test)};
   NluData data;
-  if (part == DataPart::validation) {
-    learn_or_measure(data, train, held_out_of, held_out_of - 1);
-    return {std::move(data)};
-  }
-  for (const auto& row : train)
-    learn(data, row);
-  for (const auto& row : test)
-    measure(data, row);
+  learn_or_measure(data, train, held_out_of, held_out_of - 1);
   return {std::move(data)};
 }
 
@@ -258,11 +259,7 @@ Expected<Corpus> read_corpus(const fs::path& path) {
 
 void add_corpus(NluSets& sets, const Corpus& corpus, DataPart part) {
   if (part == DataPart::test) {
-    auto& data = sets.emplace_back();
-    for (const auto& row : corpus.train)
-      learn(data, row);
-    for (const auto& row : corpus.test)
-      measure(data, row);
+    sets.push_back(data_of(corpus.train, corpus.test));
     return;
   }
   for (std::size_t turn = 0; turn < turns; ++turn)

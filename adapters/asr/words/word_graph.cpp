@@ -1,7 +1,9 @@
-// Subset construction, then refinement of a partition (Moore).
+// States are merged by refinement of a partition (Moore), forwards and
+// backwards.
 #include "adapters/asr/words/word_graph.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -79,7 +81,7 @@ void GraphBuilder::contract(Symbol first, Symbol second, Symbol both) {
     std::vector<State> ends;
     for (const auto& arc : node.arcs)
       if (arc.symbol == first)
-        for (const auto behind : closure({arc.target}))
+        for (const auto behind : closure(arc.target))
           for (const auto& next : nodes_[behind].arcs)
             if (next.symbol == second)
               ends.push_back(next.target);
@@ -88,143 +90,185 @@ void GraphBuilder::contract(Symbol first, Symbol second, Symbol both) {
   }
 }
 
-// The states that empty moves lead to, sorted.
-std::vector<GraphBuilder::State>
-GraphBuilder::closure(std::vector<State> states) const {
+// The states that empty moves lead to, and the state itself.
+std::vector<GraphBuilder::State> GraphBuilder::closure(State state) const {
+  std::vector<State> states{state};
   for (std::size_t at = 0; at < states.size(); ++at)
     for (const auto next : nodes_[states[at]].empty)
       if (std::ranges::find(states, next) == states.end())
         states.push_back(next);
-  std::ranges::sort(states);
-  states.erase(std::unique(states.begin(), states.end()), states.end());
   return states;
-}
-
-// A state of the result is a set of states of the builder; each set is numbered
-// when it is met first.
-WordGraph GraphBuilder::deterministic(std::size_t most_states) const {
-  WordGraph graph;
-  std::map<std::vector<State>, std::uint32_t> numbers;
-  std::vector<const std::vector<State>*> sets;
-  auto number_of = [&](std::vector<State> set) {
-    const auto [found, is_new] = numbers.try_emplace(
-        std::move(set), static_cast<std::uint32_t>(sets.size()));
-    if (is_new)
-      sets.push_back(&found->first);
-    return found->second;
-  };
-  number_of(closure({start}));
-  for (std::size_t at = 0; at < sets.size(); ++at) {
-    WordGraph::State made;
-    std::map<Symbol, std::vector<State>> targets;
-    for (const auto state : *sets[at]) {
-      made.is_final |= nodes_[state].is_final;
-      for (const auto& arc : nodes_[state].arcs)
-        targets[arc.symbol].push_back(arc.target);
-    }
-    for (auto& [symbol, states] : targets) {
-      if (sets.size() >= most_states) {
-        is_full_ = true;
-        break;
-      }
-      made.arcs.push_back({symbol, number_of(closure(std::move(states)))});
-    }
-    graph.states.push_back(std::move(made));
-  }
-  return graph;
 }
 
 namespace {
 
-// Which states lead to the end of a sentence.
-std::vector<bool> living_states(const WordGraph& graph) {
-  std::vector<std::vector<std::uint32_t>> sources(graph.states.size());
-  std::vector<std::uint32_t> living;
-  for (std::uint32_t i = 0; i < graph.states.size(); ++i) {
-    if (graph.states[i].is_final)
-      living.push_back(i);
-    for (const auto& arc : graph.states[i].arcs)
-      sources[arc.target].push_back(i);
-  }
-  std::vector<bool> lives(graph.states.size());
-  for (const auto state : living)
-    lives[state] = true;
-  for (std::size_t at = 0; at < living.size(); ++at)
-    for (const auto source : sources[living[at]])
-      if (!lives[source]) {
-        lives[source] = true;
-        living.push_back(source);
-      }
-  return lives;
+using Arcs = std::vector<WordGraph::Arc>;
+// The number of the part that each state belongs to; state 0 is in part 0.
+using Parts = std::vector<std::uint32_t>;
+
+// Of an arc that takes no word.
+constexpr Symbol nothing = std::numeric_limits<Symbol>::max();
+// A state, on average.
+constexpr std::size_t most_arcs = 10;
+
+void sort_arcs(Arcs& arcs) {
+  std::ranges::sort(arcs);
+  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
 }
 
-// Leaves out what begins no sentence; the first state stays.
-WordGraph without_dead_ends(const WordGraph& graph) {
-  const auto lives = living_states(graph);
-  std::vector<std::uint32_t> numbers(graph.states.size());
-  std::uint32_t count = 1;
-  for (std::size_t i = 1; i < numbers.size(); ++i)
-    if (lives[i])
-      numbers[i] = count++;
-  WordGraph made;
-  made.states.resize(count);
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (i != 0 && !lives[i])
-      continue;
-    auto& state = made.states[numbers[i]];
-    state.is_final = graph.states[i].is_final;
+// The arcs that lead to each state, with where they come from.
+std::vector<Arcs> reversed(const WordGraph& graph) {
+  std::vector<Arcs> made(graph.states.size());
+  for (std::uint32_t i = 0; i < graph.states.size(); ++i)
     for (const auto& arc : graph.states[i].arcs)
-      if (lives[arc.target])
-        state.arcs.push_back({arc.symbol, numbers[arc.target]});
+      made[arc.target].push_back({arc.symbol, i});
+  return made;
+}
+
+std::vector<Arcs> arcs_of(const WordGraph& graph) {
+  std::vector<Arcs> made;
+  for (const auto& state : graph.states)
+    made.push_back(state.arcs);
+  return made;
+}
+
+// Which states can be reached from these.
+std::vector<bool> reached(const std::vector<Arcs>& arcs,
+                          std::vector<std::uint32_t> from) {
+  std::vector<bool> is_reached(arcs.size());
+  for (const auto state : from)
+    is_reached[state] = true;
+  for (std::size_t at = 0; at < from.size(); ++at)
+    for (const auto& arc : arcs[from[at]])
+      if (!is_reached[arc.target]) {
+        is_reached[arc.target] = true;
+        from.push_back(arc.target);
+      }
+  return is_reached;
+}
+
+// Leaves out what no sentence goes through; the first state stays.
+WordGraph without_dead_ends(const WordGraph& graph) {
+  std::vector<std::uint32_t> ends;
+  for (std::uint32_t i = 0; i < graph.states.size(); ++i)
+    if (graph.states[i].is_final)
+      ends.push_back(i);
+  const auto begun = reached(arcs_of(graph), {0});
+  const auto ended = reached(reversed(graph), std::move(ends));
+  const auto lives = [&](std::size_t state) {
+    return state == 0 || (begun[state] && ended[state]);
+  };
+  std::vector<std::uint32_t> numbers(graph.states.size());
+  WordGraph made;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (lives(i)) {
+      numbers[i] = static_cast<std::uint32_t>(made.states.size());
+      made.states.push_back(graph.states[i]);
+    }
+  for (auto& state : made.states) {
+    std::erase_if(state.arcs,
+                  [&](const auto& arc) { return !lives(arc.target); });
+    for (auto& arc : state.arcs)
+      arc.target = numbers[arc.target];
+  }
+  return made;
+}
+
+// States are told apart step by step, by which parts their arcs lead to, until
+// nothing changes.
+Parts refined(Parts parts, const std::vector<Arcs>& arcs) {
+  using Signature = std::pair<std::uint32_t, Arcs>;
+  for (std::size_t count = 0;;) {
+    std::map<Signature, std::uint32_t> numbers;
+    Parts next;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      Signature signature{parts[i], arcs[i]};
+      for (auto& arc : signature.second)
+        arc.target = parts[arc.target];
+      sort_arcs(signature.second);
+      // Numbered in the order of the states, so that state 0 stays the first.
+      next.push_back(
+          numbers
+              .try_emplace(std::move(signature),
+                           static_cast<std::uint32_t>(numbers.size()))
+              .first->second);
+    }
+    parts = std::move(next);
+    if (numbers.size() == count)
+      return parts;
+    count = numbers.size();
+  }
+}
+
+// Each part becomes one state.
+WordGraph merged(const WordGraph& graph, const Parts& parts) {
+  WordGraph made;
+  made.states.resize(std::ranges::max(parts) + 1);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    auto& state = made.states[parts[i]];
+    state.is_final |= graph.states[i].is_final;
+    for (const auto& arc : graph.states[i].arcs)
+      state.arcs.push_back({arc.symbol, parts[arc.target]});
+  }
+  for (auto& state : made.states)
+    sort_arcs(state.arcs);
+  return made;
+}
+
+// States up to which the same was said become one, then those from which the
+// same can be said. The sentences stay the same.
+WordGraph smaller(const WordGraph& graph) {
+  const auto living = without_dead_ends(graph);
+  Parts first_or_not(living.states.size(), 1);
+  first_or_not[0] = 0;
+  const auto same_begins =
+      merged(living, refined(std::move(first_or_not), reversed(living)));
+  Parts final_or_not;
+  for (const auto& state : same_begins.states)
+    final_or_not.push_back(state.is_final);
+  return merged(same_begins,
+                refined(std::move(final_or_not), arcs_of(same_begins)));
+}
+
+// A state has the arcs of all to which arcs without a word lead. At most so
+// many arcs are made.
+WordGraph without_empty(const WordGraph& graph, std::size_t most) {
+  WordGraph made;
+  std::size_t count = 0;
+  const auto size = graph.states.size();
+  std::vector<std::size_t> seen_by(size, size);
+  for (std::size_t i = 0; i < size; ++i) {
+    auto& state = made.states.emplace_back();
+    std::vector<std::size_t> closed{i};
+    seen_by[i] = i;
+    for (std::size_t at = 0; at < closed.size() && count < most; ++at) {
+      state.is_final |= graph.states[closed[at]].is_final;
+      for (const auto& arc : graph.states[closed[at]].arcs)
+        if (arc.symbol != nothing) {
+          state.arcs.push_back(arc);
+          ++count;
+        } else if (std::exchange(seen_by[arc.target], i) != i) {
+          closed.push_back(arc.target);
+        }
+    }
+    sort_arcs(state.arcs);
   }
   return made;
 }
 
 } // namespace
 
-// Dead ends go first: they would keep states apart that are the same without
-// them.
+// Made smaller first, as each empty move may double arcs.
 WordGraph GraphBuilder::finish() const {
-  return minimal(without_dead_ends(deterministic(most_states_)));
-}
-
-// States are told apart step by step: first the final ones from the others,
-// then by where their arcs lead, until nothing changes.
-WordGraph minimal(const WordGraph& graph) {
-  const auto count = graph.states.size();
-  std::vector<std::uint32_t> part(count);
-  for (std::size_t i = 0; i < count; ++i)
-    part[i] = graph.states[i].is_final;
-  std::size_t parts = 0;
-  // What tells states apart: their part, and where their arcs lead.
-  using Signature = std::pair<std::uint32_t, std::vector<WordGraph::Arc>>;
-  for (;;) {
-    std::map<Signature, std::uint32_t> numbers;
-    std::vector<std::uint32_t> next(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      Signature signature{part[i], graph.states[i].arcs};
-      for (auto& arc : signature.second)
-        arc.target = part[arc.target];
-      // Numbered in the order of the states, so that state 0 stays the first.
-      next[i] = numbers
-                    .try_emplace(std::move(signature),
-                                 static_cast<std::uint32_t>(numbers.size()))
-                    .first->second;
-    }
-    part = std::move(next);
-    if (numbers.size() == parts)
-      break;
-    parts = numbers.size();
+  WordGraph graph;
+  for (const auto& node : nodes_) {
+    auto& state = graph.states.emplace_back();
+    state.is_final = node.is_final;
+    state.arcs = node.arcs;
+    for (const auto target : node.empty)
+      state.arcs.push_back({nothing, target});
   }
-  WordGraph made;
-  made.states.resize(parts);
-  for (std::size_t i = 0; i < count; ++i) {
-    auto& state = made.states[part[i]];
-    state = graph.states[i];
-    for (auto& arc : state.arcs)
-      arc.target = part[arc.target];
-  }
-  return made;
+  return smaller(without_empty(smaller(graph), most_arcs * most_states_));
 }
 
 } // namespace parlour::adapters::asr

@@ -3,12 +3,12 @@
 // hundred names in twenty rules are kept once.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -42,19 +42,18 @@ private:
   std::map<std::pair<bool, std::string>, Symbol> numbers_;
 };
 
-// Deterministic, with the fewest states. State 0 is the start.
-// What a regular expression over words would be, compiled. Paths may be rings.
+// State 0 is the start. What a regular expression over words would be,
+// compiled. Paths may be rings, and several arcs of a state may have the same
+// symbol: a graph without such choices has eight times as many arcs for the
+// receptionist.
 struct WordGraph {
   struct Arc {
     Symbol symbol = 0;
     std::uint32_t target = 0;
 
-    bool operator==(const Arc&) const = default;
-    bool operator<(const Arc& other) const {
-      return std::tie(symbol, target) < std::tie(other.symbol, other.target);
-    }
+    auto operator<=>(const Arc&) const = default;
   };
-  // The arcs are sorted; no two have the same symbol.
+  // The arcs are sorted; no two are equal.
   struct State {
     std::vector<Arc> arcs;
     bool is_final = false;
@@ -66,8 +65,6 @@ struct WordGraph {
 
 // Collects sentences and makes a graph of them. Moves may be empty and
 // ambiguous. Bounded: what exceeds the bound is left out (is_full()).
-// A non-deterministic automaton while it is built; finish() makes the smallest
-// deterministic one.
 class GraphBuilder {
 public:
   using State = std::uint32_t;
@@ -90,7 +87,9 @@ public:
     return is_full_;
   }
 
-  // Empty (one state that is not final) if there is no sentence.
+  // Without empty moves, and with few states: those from which, or up to which,
+  // the same can be said are one. One state that is not final if there is no
+  // sentence.
   WordGraph finish() const;
 
 private:
@@ -100,15 +99,11 @@ private:
     bool is_final = false;
   };
 
-  std::vector<State> closure(std::vector<State> states) const;
-  WordGraph deterministic(std::size_t most_states) const;
+  std::vector<State> closure(State state) const;
 
   std::size_t most_states_;
   std::vector<Node> nodes_;
-  mutable bool is_full_ = false;
+  bool is_full_ = false;
 };
-
-// Merges states from which the same can be said.
-WordGraph minimal(const WordGraph& graph);
 
 } // namespace parlour::adapters::asr

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -16,15 +18,17 @@ protected:
     return made;
   }
   bool takes(const WordGraph& graph, std::initializer_list<const char*> words) {
-    std::uint32_t at = 0;
+    std::set<std::uint32_t> at{0};
     for (const auto symbol : sentence(words)) {
-      const auto& arcs = graph.states[at].arcs;
-      const auto arc = std::ranges::find(arcs, symbol, &WordGraph::Arc::symbol);
-      if (arc == arcs.end())
-        return false;
-      at = arc->target;
+      std::set<std::uint32_t> next;
+      for (const auto state : at)
+        for (const auto& arc : graph.states[state].arcs)
+          if (arc.symbol == symbol)
+            next.insert(arc.target);
+      at = std::move(next);
     }
-    return graph.states[at].is_final;
+    return std::ranges::any_of(
+        at, [&](const auto state) { return graph.states[state].is_final; });
   }
 
   Symbols symbols;
@@ -60,6 +64,41 @@ TEST_F(WordGraphTest, ContractsWordsThatFollow) {
   const auto graph = builder.finish();
   EXPECT_TRUE(takes(graph, {"i'm", "here"}));
   EXPECT_TRUE(takes(graph, {"i", "am", "here"}));
+}
+
+// Without choices, "a b c" and "c" would need a state for each of the words
+// that may have been left out.
+TEST_F(WordGraphTest, StaysSmallWhereManyWordsMayBeLeftOut) {
+  std::vector<Symbol> words;
+  for (int i = 0; i < 20; ++i)
+    words.push_back(symbols.word(std::to_string(i)));
+  auto at = GraphBuilder::start;
+  for (const auto last : {"x", "y"}) {
+    const auto next = builder.add();
+    for (const auto word : words)
+      builder.take(at, next, word);
+    builder.link(at, next);
+    const auto end = builder.add();
+    builder.take(next, end, symbols.word(last));
+    at = end;
+  }
+  builder.accept(at);
+  const auto graph = builder.finish();
+  EXPECT_EQ(graph.states.size(), 5u);
+  EXPECT_EQ(graph.arc_count(), 44u);
+  EXPECT_TRUE(takes(graph, {"x", "19", "y"}));
+  EXPECT_FALSE(takes(graph, {"x", "19"}));
+}
+
+TEST_F(WordGraphTest, LeavesOutWhatNoSentenceGoesThrough) {
+  builder.add_sentence(sentence({"a", "b"}));
+  const auto nowhere = builder.add();
+  builder.take(GraphBuilder::start, nowhere, symbols.word("c"));
+  const auto unreached = builder.add();
+  builder.take(unreached, nowhere, symbols.word("d"));
+  const auto graph = builder.finish();
+  EXPECT_EQ(graph.states.size(), 3u);
+  EXPECT_EQ(graph.arc_count(), 2u);
 }
 
 TEST_F(WordGraphTest, IsEmptyWithoutSentences) {

@@ -11,12 +11,12 @@ namespace parlour::script::lint {
 namespace {
 
 constexpr Pass passes[] = {
-    lint_states,      lint_functions,  lint_variables, lint_messages,
-    lint_events,      lint_routes,     lint_slots,     lint_loops,
-    lint_conditions,  lint_fields,     lint_arguments, lint_lists,
-    lint_time,        lint_texts,      lint_examples,  lint_computing,
-    lint_joined_sql,  lint_habits,     lint_partners,  lint_frames,
-    lint_repetitions, lint_allowances,
+    lint_states,      lint_functions, lint_variables,  lint_messages,
+    lint_events,      lint_routes,    lint_slots,      lint_loops,
+    lint_conditions,  lint_fields,    lint_arguments,  lint_lists,
+    lint_time,        lint_texts,     lint_examples,   lint_computing,
+    lint_joined_sql,  lint_habits,    lint_partners,   lint_frames,
+    lint_repetitions, lint_columns,   lint_allowances,
 };
 
 } // namespace

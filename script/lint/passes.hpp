@@ -32,6 +32,7 @@ void lint_computing(const LintContext& context, Findings& findings);
 void lint_joined_sql(const LintContext& context, Findings& findings);
 void lint_habits(const LintContext& context, Findings& findings);
 void lint_partners(const LintContext& context, Findings& findings);
+void lint_columns(const LintContext& context, Findings& findings);
 void lint_frames(const LintContext& context, Findings& findings);
 void lint_repetitions(const LintContext& context, Findings& findings);
 void lint_allowances(const LintContext& context, Findings& findings);

@@ -9,6 +9,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -113,6 +115,8 @@ struct Automaton {
   // (synonyms.hpp), whether it is in the vocabulary or not.
   using Synonyms = std::vector<WordNumber>;
   TextMap<Synonyms> synonyms;
+  // Hesitations that are words of the application's own: "ER".
+  std::set<std::string, std::less<>> own_hesitations;
   // State 0 is the start of every rule.
   std::vector<State> states;
   // Lists of actions, to which arcs refer by number. List 0 is empty.

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "adapters/nlu/text/similarity.hpp"
+#include "adapters/nlu/text/words.hpp"
 #include "runtime/message/act_kinds.hpp"
 
 namespace parlour::adapters::nlu {
@@ -79,6 +80,7 @@ void AutomatonBuilder::add_public(const jsgf::Node& body, RuleInfo info,
                                   const SourceLocation& place) {
   const auto rule = static_cast<std::uint32_t>(automaton_.rules.size());
   own_tags_.clear();
+  generic_ = info.generic;
   const auto begin = new_node(place);
   link(0, begin);
   nodes_[build(body, begin)].accepts.push_back(rule);
@@ -177,6 +179,8 @@ AutomatonBuilder::NodeId AutomatonBuilder::build_word(const jsgf::Node& node,
   const auto place = automaton_.vocabulary.try_emplace(node.text, next).first;
   const auto end = new_node(node.place);
   take(from, end, place->second, false);
+  if (!generic_ && is_hesitation(node.text))
+    automaton_.own_hesitations.insert(node.text);
   return end;
 }
 

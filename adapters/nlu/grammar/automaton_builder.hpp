@@ -133,6 +133,8 @@ private:
   std::vector<std::pair<std::uint32_t, SourceLocation>> own_tags_;
   std::size_t arcs_ = 0;
   bool too_large_ = false;
+  // Whether the rule that is being added is the platform's.
+  bool generic_ = false;
 };
 
 } // namespace parlour::adapters::nlu

@@ -49,6 +49,23 @@ bool stands_at(const Phrase& phrase, const std::vector<Token>& list,
   return true;
 }
 
+bool is_capital(char letter) {
+  return letter >= 'A' && letter <= 'Z';
+}
+
+// "the ER", where the application has such a word: in capital letters, or
+// right behind a determiner. In "er, where is the bank" it means nothing.
+bool is_own_word(const std::vector<Token>& list, std::size_t at,
+                 std::string_view text, const Automaton& automaton) {
+  const auto& token = list[at];
+  if (!automaton.own_hesitations.contains(token.word))
+    return false;
+  const auto written = text.substr(token.begin, token.end - token.begin);
+  return std::ranges::all_of(written, is_capital) ||
+         (at > 0 && token.before == Break::none &&
+          is_determiner(list[at - 1].word));
+}
+
 void mark_fillers(Utterance& utterance) {
   for (std::size_t at = 0; at < utterance.size(); ++at) {
     const auto found = phrases().find(utterance.tokens.list[at].word);
@@ -58,6 +75,9 @@ void mark_fillers(Utterance& utterance) {
       if (stands_at(phrase, utterance.tokens.list, at))
         for (std::size_t word = 0; word < phrase.size(); ++word)
           utterance.filler[at + word] = true;
+    if (is_own_word(utterance.tokens.list, at, utterance.text,
+                    *utterance.automaton))
+      utterance.filler[at] = false;
   }
 }
 
@@ -74,9 +94,12 @@ bool says_yes(const std::vector<Token>& list, std::size_t at) {
 
 // "ah" and "eh" are names, too, so they count as noise only beside numbers,
 // days and hours: "two ah o'clock".
-bool is_noise(const std::vector<Token>& list, std::size_t at) {
+bool is_noise(const std::vector<Token>& list, std::size_t at,
+              std::string_view text, const Automaton& automaton) {
   const auto& word = list[at].word;
   const auto* next = at + 1 < list.size() ? &list[at + 1].word : nullptr;
+  if (is_own_word(list, at, text, automaton))
+    return false;
   if (is_hesitation(word))
     return !says_yes(list, at) && !(at > 0 && says_yes(list, at - 1));
   return word == "ah" && at > 0 && next &&
@@ -142,9 +165,10 @@ bool is_restart(const std::vector<Token>& list, std::size_t at,
 
 // Quickly, whether there may be any noise: a hesitation, a pause, or a word
 // that comes again soon.
-bool has_noise(const std::vector<Token>& list) {
+bool has_noise(const std::vector<Token>& list, std::string_view text,
+               const Automaton& automaton) {
   for (std::size_t at = 0; at < list.size(); ++at) {
-    if (is_noise(list, at) || pause_at(list, at) > 0)
+    if (is_noise(list, at, text, automaton) || pause_at(list, at) > 0)
       return true;
     for (std::size_t ahead = 1; ahead <= 3 && at + ahead < list.size(); ++ahead)
       if (list[at].word == list[at + ahead].word)
@@ -158,7 +182,8 @@ constexpr std::size_t longest_restart = 3;
 
 // Removes hesitations and what is said twice, so that values and rules are
 // found that they interrupt. What consists of nothing else stays.
-void remove_noise(Tokens& tokens, const Automaton& automaton) {
+void remove_noise(Tokens& tokens, std::string_view text,
+                  const Automaton& automaton) {
   auto& list = tokens.list;
   std::vector<Token> kept;
   // Punctuation before a hesitation stands before what follows it.
@@ -169,7 +194,7 @@ void remove_noise(Tokens& tokens, const Automaton& automaton) {
       at += pause - 1;
       continue;
     }
-    if (is_noise(list, at))
+    if (is_noise(list, at, text, automaton))
       continue;
     kept.push_back(list[at]);
     kept.back().before = std::exchange(before, Break::none);
@@ -257,8 +282,8 @@ Utterance make_utterance(std::string_view text, const Automaton& automaton) {
   made.text = text;
   made.automaton = &automaton;
   made.tokens = tokenize(text);
-  if (has_noise(made.tokens.list))
-    remove_noise(made.tokens, automaton);
+  if (has_noise(made.tokens.list, text, automaton))
+    remove_noise(made.tokens, text, automaton);
   join_mended_numbers(made.tokens.list);
   const auto size = made.size();
   made.filler.resize(size);

@@ -56,14 +56,6 @@ bool is_answer(const Island& island) {
          (island.act == "confirm" || island.act == "deny");
 }
 
-// If nobody asks for a yes, a topic's own rule for "yes" stands, and "yes" may
-// be the value of the slot that was asked for.
-bool may_be_yes(const Island& island, const Context& context) {
-  return context.confirms.empty() &&
-         (!island.rule->bare || (has(island.topics, context.asked_topic) &&
-                                 island.find(context.asked_slot) != nullptr));
-}
-
 // Applies the rules to the acts of one utterance.
 class Doubts {
 public:
@@ -77,6 +69,7 @@ public:
 
   // The order matters: each step removes acts that the next ones would count.
   void run() {
+    std::erase_if(acts_, [&](auto& act) { return is_trailing(act); });
     if (std::erase_if(acts_, [&](auto& act) { return takes_back(act); }) > 0)
       std::erase_if(acts_, [](auto& act) { return is_plain(act, "confirm"); });
     if (std::erase_if(acts_, [&](auto& act) { return is_denied(act); }) > 0)
@@ -157,6 +150,30 @@ private:
     return true;
   }
 
+  // "Where is the bank, ok?", "is it open, not today?": an answer behind a
+  // question of the same sentence only asks for one. Without a question mark,
+  // "ok" and "right" do so, too.
+  bool is_trailing(const BuiltAct& act) const {
+    if (!is_answer(act) || act.negated || (!is_asked(act) && !is_nod(act)))
+      return false;
+    const auto sentence =
+        stretch_of(utterance_.tokens, {act.begin, act.end}, Break::sentence);
+    return utterance_.weight_of(act.end, sentence.end) < min_weight &&
+           std::ranges::any_of(acts_, [&](auto& other) {
+             return other.topic != no_topic && other.act == "request" &&
+                    sentence.begin < other.end && other.end <= act.begin;
+           });
+  }
+
+  bool is_nod(const BuiltAct& act) const {
+    static constexpr std::array<std::string_view, 5> words{
+        "ok", "okay", "right", "alright", "all"};
+    for (auto token = act.begin; token < act.end; ++token)
+      if (!has(words, word(token)))
+        return false;
+    return true;
+  }
+
   // "do not cancel it", "no need to cancel": a generic act right behind a
   // negation, or behind a no that ends with "to".
   bool is_denied(const BuiltAct& act) const {
@@ -194,7 +211,8 @@ private:
     if (is_plain(act, "help"))
       return knows_nobody(act);
     if (is_plain(act, "confirm"))
-      return is_right_now(act) || leaves_words(act.begin) || is_asked(act) ||
+      return is_right_now(act) || leaves_words(act.begin) ||
+             (is_asked(act) && !answers_by_asking(act)) || is_suggestion(act) ||
              is_turned_round(act) || is_before_tag(act);
     if (is_plain(act, "cancel") || is_plain(act, "abandon"))
       return word(act.begin) != "stop" && leaves_known_words(act);
@@ -272,6 +290,29 @@ private:
            act.end < utterance_.size() && has(behind, word(act.end));
   }
 
+  // "Why not?"
+  bool asks_why_not(const BuiltAct& act) const {
+    for (auto token = act.begin; token < act.end; ++token)
+      if (word(token) == "why")
+        return true;
+    return false;
+  }
+
+  // Where yes or no is asked for, it is a yes.
+  bool answers_by_asking(const BuiltAct& act) const {
+    return !context_.confirms.empty() && asks_why_not(act);
+  }
+
+  // "Why not tomorrow?"
+  bool is_suggestion(const BuiltAct& act) const {
+    const auto clause =
+        stretch_of(utterance_.tokens, {act.begin, act.end}, Break::comma);
+    return asks_why_not(act) && std::ranges::any_of(acts_, [&](auto& other) {
+             return other.topic != no_topic && act.end <= other.begin &&
+                    other.begin < clause.end;
+           });
+  }
+
   // Whether a question mark follows the act.
   bool is_asked(const BuiltAct& act) const {
     const auto& tokens = utterance_.tokens.list;
@@ -294,77 +335,6 @@ private:
 };
 
 } // namespace
-
-void prefer_answers(std::vector<Island>& islands, const Context& context) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> answers;
-  // "Yeah, hi, Ravi Iyer, he's with IT": a yes that passes over more words than
-  // it has does not say what they mean.
-  for (const auto& island : islands)
-    if (is_answer(island) && island.score >= 0)
-      answers.emplace_back(island.begin, island.end);
-  std::erase_if(islands, [&](const Island& island) {
-    return island.is_content() && !may_be_yes(island, context) &&
-           std::ranges::any_of(answers, [&](const auto& answer) {
-             return answer.first <= island.begin && island.end <= answer.second;
-           });
-  });
-}
-
-namespace {
-
-// An answer with words before the value, "my name is …", that a rule of the
-// application takes for another slot of the same topic.
-bool says_otherwise(const Island& own, const Island& answer) {
-  if (own.rule->generic || own.rule->bare || own.begin > answer.begin ||
-      own.end < answer.end ||
-      std::ranges::find_first_of(own.topics, answer.topics) == own.topics.end())
-    return false;
-  return std::ranges::all_of(answer.fills, [&](const Fill& asked) {
-    return asked.begin > answer.begin && !own.find(asked.slot) &&
-           std::ranges::any_of(own.fills, [&](const Fill& fill) {
-             return fill.begin < asked.end && asked.begin < fill.end;
-           });
-  });
-}
-
-} // namespace
-
-void prefer_application(std::vector<Island>& islands) {
-  leave_out(islands, [&](const Island& island) {
-    return island.rule->generic && island.asked && !island.fills.empty() &&
-           std::ranges::any_of(islands, [&](const Island& own) {
-             return says_otherwise(own, island);
-           });
-  });
-  // What an application's rule only guesses is no better: in "let me see",
-  // nobody is called See.
-  struct Own {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-    double score = 0;
-  };
-  std::vector<Own> own;
-  for (const auto& island : islands)
-    if (!island.rule->generic && !island.rule->bare)
-      own.push_back({island.begin, island.end, island.score});
-  // A rule of its own that begins with "not" or "leave out" says what that is
-  // about.
-  const auto begins_own = [&](const Island& island) {
-    return std::ranges::any_of(own, [&](const Own& one) {
-      return one.begin == island.begin && one.end > island.end;
-    });
-  };
-  std::erase_if(islands, [&](const Island& island) {
-    if (!island.rule->generic || island.is_content())
-      return false;
-    if (is_answer(island))
-      return island.denies && begins_own(island);
-    return !island.act.empty() && std::ranges::any_of(own, [&](const Own& one) {
-      return one.begin == island.begin && one.end == island.end &&
-             one.score > 0.5 * island.score;
-    });
-  });
-}
 
 void drop_doubtful(std::vector<BuiltAct>& acts, const Chain& chain,
                    const Utterance& utterance, const Context& context) {

@@ -12,17 +12,6 @@
 
 namespace parlour::adapters::nlu {
 
-// While a question wants yes or no, "yes" and "no" are not values of slots.
-// Otherwise they can be a value by themselves, of the slot that was asked for
-// only. Removes the islands that say otherwise.
-void prefer_answers(std::vector<Island>& islands, const Context& context);
-
-// What an application means by words goes before what they mean anywhere:
-// removes generic acts, other than yes and no, for the words of a rule of the
-// application, and answers to what was asked that such a rule takes for another
-// slot of the topic: "my name is …", where the host is asked for.
-void prefer_application(std::vector<Island>& islands);
-
 // Removes answers that are in doubt, and acts that are negated ("do not cancel
 // it").
 void drop_doubtful(std::vector<BuiltAct>& acts, const Chain& chain,

@@ -189,9 +189,21 @@ bool is_light(std::string_view word) {
   return words.contains(word) || is_determiner(word) || is_connector(word);
 }
 
-bool is_hesitation(std::string_view word) {
+namespace {
+
+const Words& hesitations() {
   static const Words words{"er", "erm", "um", "uh", "uhm", "hmm", "mm", "eh"};
-  return words.contains(word);
+  return words;
+}
+
+} // namespace
+
+bool is_hesitation(std::string_view word) {
+  return hesitations().contains(word);
+}
+
+std::vector<std::string_view> all_hesitations() {
+  return {hesitations().begin(), hesitations().end()};
 }
 
 bool is_function_word(std::string_view word) {

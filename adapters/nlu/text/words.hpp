@@ -39,6 +39,7 @@ bool is_light(std::string_view word);
 
 // Whether it is said while one thinks, even within a name: "er", "um".
 bool is_hesitation(std::string_view word);
+std::vector<std::string_view> all_hesitations();
 
 // Words that are neither a name nor a value by themselves: pronouns,
 // prepositions, auxiliaries, common adjectives, determiners.

@@ -15,10 +15,11 @@
 #include "adapters/nlu/parse/acts.hpp"
 #include "adapters/nlu/parse/choice.hpp"
 #include "adapters/nlu/parse/correction.hpp"
-#include "adapters/nlu/parse/doubt.hpp"
 #include "adapters/nlu/parse/island_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
+#include "adapters/nlu/parse/preferences.hpp"
 #include "adapters/nlu/parse/unmatched_values.hpp"
+#include "adapters/nlu/text/words.hpp"
 #include "adapters/nlu/understand/explanation.hpp"
 #include "adapters/nlu/understand/heard_texts.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
@@ -281,6 +282,9 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
     return tl::make_unexpected(std::vector{learned.error()});
   Likeness likeness(automaton, schema);
   automaton = merge_states(std::move(automaton));
+  for (const auto word : all_hesitations())
+    if (schema.values().has_word(word))
+      automaton.own_hesitations.emplace(word);
   // Not before: what is learnt is learnt of the words of the examples.
   add_synonyms(
       options.synonyms,
@@ -327,6 +331,7 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
   leave_out_parts(islands, schema, context);
   prefer_answers(islands, context);
   prefer_application(islands);
+  prefer_literals(islands, spans);
   drop_implausible(islands, utterance, spans);
 }
 

@@ -117,6 +117,25 @@ TEST(Utterance, LeavesOutHesitations) {
   EXPECT_EQ(words("mm, hall"), "hall");
 }
 
+TEST(Utterance, KeepsWordsOfTheApplication) {
+  Automaton automaton;
+  automaton.own_hesitations = {"er"};
+  const auto kept = [&](const char* text) {
+    std::string all;
+    for (const auto& token : make_utterance(text, automaton).tokens.list)
+      all += (all.empty() ? "" : " ") + token.word;
+    return all;
+  };
+  EXPECT_EQ(kept("where is the ER"), "where is the er");
+  EXPECT_EQ(kept("take me to ER"), "take me to er");
+  EXPECT_EQ(kept("where is the er"), "where is the er");
+  EXPECT_EQ(kept("where is, er, the bank"), "where is the bank");
+  EXPECT_EQ(kept("Er, where is the, er, bank"), "where is the bank");
+  EXPECT_EQ(kept("where is the um bank"), "where is the bank");
+  EXPECT_EQ(kinds("the ER", automaton), "u?");
+  EXPECT_EQ(words("where is the ER"), "where is the"); // no word of its own
+}
+
 TEST(Utterance, LeavesOutWhatIsSaidTwice) {
   EXPECT_EQ(words("the food, the food court"), "the food court");
   EXPECT_EQ(words("the the food food court"), "the food court");

@@ -56,27 +56,33 @@ TEST(Doubt, TakesNoYesBesideANoOfATopic) {
     EXPECT_EQ(acts(text), "") << text;
 }
 
-// "Let me see": where a rule of the application only guesses that somebody is
-// called See, the platform's stays.
-TEST(Doubt, PrefersNoGuessOfTheApplication) {
-  RuleInfo waits;
-  waits.generic = true;
-  RuleInfo meets;
-  const auto left = [&](double own) {
-    std::vector<Island> islands(2);
-    islands[0].rule = &waits;
-    islands[0].act = "wait";
-    islands[0].score = 1.5;
-    islands[1].rule = &meets;
-    islands[1].topics = {0};
-    islands[1].score = own;
-    for (auto& island : islands)
-      island.end = 3;
-    prefer_application(islands);
-    return islands.size();
-  };
-  EXPECT_EQ(left(0.4), 2U);
-  EXPECT_EQ(left(1.5), 1U);
+std::string answered(const char* text) {
+  static const auto engine = sample();
+  const Map context{{"now", sample_now()}, {"confirms", "Shall I call it?"}};
+  return summary(engine.understand(text, Value(context)).acts);
+}
+
+TEST(Doubt, TakesNoAnswerBehindAQuestion) {
+  for (const auto* text :
+       {"where is the bank, ok?", "where is the bank okay",
+        "where is the bank, right?", "where is the bank, all right",
+        "where is the bank, no?", "where is the bank, not today?"})
+    EXPECT_EQ(answered(text), "request Facility Category=bank") << text;
+  EXPECT_EQ(answered("yes, where is the bank?"),
+            answered("yes. Where is the bank?"));
+  // In a sentence of its own, and behind what is no question, it is one.
+  EXPECT_EQ(answered("Where is the bank? Okay"),
+            "request Facility Category=bank + confirm");
+  EXPECT_EQ(answered("need a taxi, okay"), "inform Taxi + confirm");
+}
+
+TEST(Doubt, TakesWhyNotForAYes) {
+  for (const auto* text : {"why not", "Why not?", "well, why not?",
+                           "why not, thank you", "sure, why not?"})
+    EXPECT_EQ(answered(text), "confirm") << text;
+  EXPECT_EQ(answered("why not tomorrow?"),
+            "~inform Appointment Date=2026-11-22");
+  EXPECT_EQ(understood({"", "why not?", ""}), "");
 }
 
 TEST(Doubt, CancelsNothingOfTheApplication) {

@@ -48,6 +48,8 @@ private:
   // Of the walk.
   SampledSentence made_;
   std::vector<std::string> slots_;
+  int open_slots_ = 0;
+  bool fills_with_words_ = false;
   bool is_unusable_ = false;
 };
 
@@ -77,7 +79,8 @@ std::vector<SampledSentence> Walker::run(std::size_t count) {
 std::optional<SampledSentence> Walker::walk(Step step) {
   made_ = {};
   slots_.clear();
-  is_unusable_ = false;
+  open_slots_ = 0;
+  is_unusable_ = fills_with_words_ = false;
   for (std::size_t length = 0; length < longest && !is_unusable_; ++length) {
     take(step);
     const auto& state = automaton_.states[step.arc->target];
@@ -89,6 +92,8 @@ std::optional<SampledSentence> Walker::walk(Step step) {
       if (!found || made_.words.empty())
         return {};
       made_.meaning = std::move(*found);
+      if (fills_with_words_ && schema_.at(made_.meaning.topic).enquiry)
+        made_.words.push_back(value_word(words_entity));
       return made_;
     }
     if (steps.empty())
@@ -107,13 +112,17 @@ void Walker::take(const Step& step) {
     is_unusable_ = true;
   else if (is_form(symbol) || is_set(symbol))
     made_.words.push_back(value_word(symbol));
+  else
+    fills_with_words_ = fills_with_words_ || open_slots_ > 0;
 }
 
 void Walker::read_tags(std::uint32_t actions) {
   for (const auto& action : automaton_.actions[actions]) {
+    const auto& tag = automaton_.tags[action.tag];
+    if (tag.kind == TagKind::slot)
+      open_slots_ += action.opens ? 1 : -1;
     if (!action.opens)
       continue;
-    const auto& tag = automaton_.tags[action.tag];
     if (tag.kind == TagKind::act)
       made_.meaning.act = tag.name;
     else if (tag.kind == TagKind::topic)

@@ -25,7 +25,8 @@ struct SentenceMeaning {
 };
 
 struct SampledSentence {
-  // With a value_word() for each value; any words are left out.
+  // With a value_word() for each value; any words are left out. A question
+  // about any words ends with that of words_entity, which nobody says.
   std::vector<std::string> words;
   SentenceMeaning meaning;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "adapters/nlu/text/words.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {
@@ -17,13 +19,31 @@ bool is_something_else(const BuiltAct& act, const BuiltAct& before) {
          act.understood < further_value;
 }
 
+// "on Friday": a rule that has nothing but values and small words, and does not
+// say which act it is, says no more than they do.
+bool says_only_values(const BuiltAct& act, const Utterance& utterance) {
+  if (act.is_declared || act.fills.empty() || act.act == "correct" ||
+      act.act == "deny")
+    return false;
+  for (auto token = act.begin; token < act.end; ++token) {
+    const auto& word = utterance.tokens.list[token].word;
+    const bool is_value = std::ranges::any_of(act.fills, [&](const Fill& fill) {
+      return fill.span && fill.begin <= token && token < fill.end;
+    });
+    if (!is_value && !utterance.filler[token] &&
+        (!is_light(word) || word == "and"))
+      return false;
+  }
+  return true;
+}
+
 // In "an appointment with Dr. Roth on Wednesday", nobody asks for the visiting
 // hours of Wednesday: a value that another topic would take, unasked, in a
 // clause that says what is wanted.
 bool is_explained(const BuiltAct& act, const std::vector<BuiltAct>& acts,
                   const Utterance& utterance, const Context& context) {
-  if (!act.is_aside || context.bonus(act.topic) > 0 ||
-      act.topic == context.asked_topic)
+  if ((!act.is_aside && !says_only_values(act, utterance)) ||
+      context.bonus(act.topic) > 0 || act.topic == context.asked_topic)
     return false;
   const auto clause =
       stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);

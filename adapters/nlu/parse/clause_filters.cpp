@@ -57,6 +57,20 @@ public:
            !word(island.end).starts_with("thank");
   }
 
+  // "When does the film start again", "can I start again tomorrow": whoever
+  // wants to begin anew says so in a clause that says little else, and only
+  // behind it what is wanted then.
+  bool is_other_start(const Island& island) const {
+    if (!is_generic(island, "restart"))
+      return false;
+    const auto clause = clause_of(island);
+    for (auto token = clause.begin; token < clause.end; ++token)
+      if (!is_within(island, token) && !is_said_apart(island, token) &&
+          !wishes(token) && !follows(island, token))
+        return true;
+    return false;
+  }
+
 private:
   static bool is_generic(const Island& island, std::string_view act) {
     return island.rule->generic && !island.is_content() && island.act == act;
@@ -86,6 +100,23 @@ private:
     static constexpr std::array<std::string_view, 5> words{"and", "but", "so",
                                                            "then", "now"};
     return utterance_.filler[token] || has(words, word(token));
+  }
+
+  // "can we please start again", "start over then"
+  bool wishes(std::uint32_t token) const {
+    static constexpr std::array<std::string_view, 17> words{
+        "i",     "we",   "you",  "us",   "me",     "can",
+        "could", "may",  "let",  "will", "should", "would",
+        "like",  "want", "need", "have", "to"};
+    return leads_in(token) || has(words, word(token));
+  }
+
+  // "start over I need a taxi"
+  bool follows(const Island& island, std::uint32_t token) const {
+    return std::ranges::any_of(islands_, [&](const Island& other) {
+      return other.is_content() && !other.rule->bare && !other.act.empty() &&
+             other.begin >= island.end && is_within(other, token);
+    });
   }
 
   static bool asks(std::string_view word) {
@@ -136,7 +167,7 @@ void leave_out_half_clauses(std::vector<Island>& islands,
   leave_out(islands, [&](const Island& island) {
     return clauses.is_stop_of_question(island) ||
            clauses.is_half_a_yes(island) || clauses.is_tag_within(island) ||
-           clauses.is_bye_within(island);
+           clauses.is_bye_within(island) || clauses.is_other_start(island);
   });
 }
 

@@ -20,14 +20,15 @@ constexpr std::size_t max_candidates = 50;
 // close to the best one's are candidates, too.
 constexpr double min_confidence = 0.6;
 constexpr double equally_good = 0.03;
-// The same for names of people, and what each word beside one costs that is
-// left over.
+// The same for people, and what a word beside one costs that is left over.
 constexpr double min_of_people = 0.7;
 constexpr double stranger_cost = 0.5;
 // A single word of a longer name must be more like it: "market" is no author.
 constexpr double single_word = 0.95;
 // So must a single word of any other longer value: "giving" is no living room.
 constexpr double single_part = 0.87;
+// A word that names nothing by itself: "the Times" may be "The Time Machine".
+constexpr double vague_part = 0.62;
 // "mug" for "cup".
 constexpr float synonym_similarity = 0.93F;
 // How many words may be skipped within a value: "son of", "er".
@@ -270,8 +271,7 @@ double ValueSearch::recall(const Partial& partial) const {
 }
 
 bool ValueSearch::whole(const Partial& partial) const {
-  const auto heavy = index_.values_[partial.value].heavy;
-  return (partial.mask & heavy) == heavy;
+  return (index_.values_[partial.value].heavy & ~partial.mask) == 0;
 }
 
 bool ValueSearch::of_people(const Partial& partial) const {
@@ -338,20 +338,21 @@ std::size_t ValueSearch::strangers(std::size_t begin, std::size_t end,
 double ValueSearch::confidence(const Partial& partial, std::size_t begin,
                                std::size_t end) const {
   const auto set = index_.values_[partial.value].set;
-  const auto used = double(partial.count);
-  const auto mean = double(partial.similarity) / used;
-  if (of_people(partial)) {
-    const auto others = double(strangers(begin, end, set));
-    const bool is_single = partial.count == 1 && !whole(partial);
+  const auto mean = double(partial.similarity) / partial.count;
+  const bool is_single = partial.count == 1 && !whole(partial);
+  if (of_people(partial))
     return double(partial.fidelity) * (0.9 + 0.1 * recall(partial)) *
-           (is_single ? single_word : 1) * std::pow(stranger_cost, others);
-  }
+           (is_single ? single_word : 1) *
+           std::pow(stranger_cost, double(strangers(begin, end, set)));
   if (whole(partial))
     return mean;
-  if (partial.count == 1 && mean < single_part)
+  if (is_single && mean < single_part)
     return 0;
-  return mean * mean * (0.9 + 0.1 * recall(partial)) * used /
-         (used + double(strangers(begin, end, set)));
+  if (count(partial.mask & index_.values_[partial.value].heavy) == 1 &&
+      is_vague(tokens_.list[end - 1].word))
+    return vague_part;
+  return mean * mean * (0.9 + 0.1 * recall(partial)) * partial.count /
+         (partial.count + double(strangers(begin, end, set)));
 }
 
 // "to" is no "Journey to the Centre of the Earth", nor "three" the musketeers.

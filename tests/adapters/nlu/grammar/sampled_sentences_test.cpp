@@ -56,6 +56,9 @@ TEST(SampledSentences, HaveTheirMeaning) {
 TEST(SampledSentences, LeaveOutValuesThatAreAnyWords) {
   EXPECT_THAT(sampled("public <to> = drive to @words {Destination};"),
               ElementsAre("drive to -> inform Taxi"));
+  // What is asked of nothing is no question.
+  EXPECT_THAT(sampled("public <find> = find @words {Name} {topic=Facility};"),
+              ElementsAre("find @ -> request Facility"));
 }
 
 TEST(SampledSentences, AreNoneWithoutATopicOfTheirOwn) {

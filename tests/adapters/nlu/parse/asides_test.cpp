@@ -47,6 +47,28 @@ TEST(Asides, AreValuesInAClauseThatWantsSomethingElse) {
   EXPECT_EQ(kept(vague), 2U);
 }
 
+TEST(Asides, AreRulesOfNothingButAValue) {
+  const auto rule = [](std::uint32_t begin) {
+    auto made = acts();
+    made[1].is_aside = false;
+    made[1].end = 6;
+    Fill fill;
+    fill.slot = "Name";
+    fill.span = 0;
+    fill.begin = begin;
+    fill.end = 6;
+    made[1].fills = {fill};
+    return made;
+  };
+  EXPECT_EQ(kept(rule(5), "book a taxi at the bank"), 1U);
+  EXPECT_EQ(kept(rule(5), "book a taxi, at the bank"), 2U);
+  EXPECT_EQ(kept(rule(5), "book a taxi see the bank"), 2U);
+  EXPECT_EQ(kept(rule(4), "book a taxi and the bank"), 2U);
+  auto declared = rule(5);
+  declared[1].is_declared = true;
+  EXPECT_EQ(kept(declared, "book a taxi at the bank"), 2U);
+}
+
 TEST(Asides, AreFurtherValuesThatAreMostlyNotUnderstood) {
   auto further = acts();
   further[0].topic = facility;

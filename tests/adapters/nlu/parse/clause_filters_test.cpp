@@ -41,6 +41,19 @@ TEST(ClauseFilters, LeaveOutAByeThatGoesOn) {
   EXPECT_EQ(understood("I have to go to the doctor"), "");
 }
 
+TEST(ClauseFilters, BeginAnewOnlyWhereNothingElseIsSaid) {
+  for (const auto* text :
+       {"start over", "let us start again please", "wait, can we start again?",
+        "no, I would like to start over", "well then start again"})
+    EXPECT_EQ(understood(text), "restart") << text;
+  EXPECT_EQ(understood("start over, I need a taxi"), "restart + inform Taxi");
+  EXPECT_EQ(understood("start over I need a taxi"), "restart + inform Taxi");
+  for (const auto* text :
+       {"when does the film start again", "they start again tonight",
+        "can I start again tomorrow", "it will start over"})
+    EXPECT_EQ(understood(text).find("restart"), std::string::npos) << text;
+}
+
 TEST(ClauseFilters, TakeAQuestionBehindAStatementForPartOfIt) {
   EXPECT_EQ(understood("is there a bank in here, isn't there?"),
             "request Facility Category=bank");

@@ -11,6 +11,7 @@ public <print> = where can i [go to] print [a few] pages {Name=Copy shop}
   {topic=Facility} {act=request};
 public <where> = what way leads to @Facility.Category {topic=Facility};
 public <cab> = order me a nice cab [to @words {Destination}] {topic=Taxi};
+public <find> = anything close by called @words {Name} {topic=Facility};
 public <meet> = arrange a meeting with @db:staff.name {Host}
   {topic=Appointment};
 )";
@@ -36,6 +37,10 @@ TEST(Likeness, ValuesAreTaken) {
   EXPECT_EQ(understood("the bank, what leads to it, which way"),
             "request Facility Category=bank");
   EXPECT_EQ(understood("which way leads to it, what"), "");
+}
+
+TEST(Likeness, AQuestionAboutAnyWordsIsNotAskedWithoutThem) {
+  EXPECT_EQ(understood("what is close by"), "");
 }
 
 TEST(Likeness, ATaskWithoutAValueNeedsMore) {

@@ -52,6 +52,13 @@ TEST_F(ValueSearchTest, TakesNoWordLikeOneForAPartOfAValue) {
   EXPECT_EQ(best("giving").confidence, 0);
 }
 
+TEST_F(ValueSearchTest, DoubtsAWordThatNamesNothing) {
+  index.add({"the time machine"});
+  EXPECT_LT(best("the times", {0, 1}).confidence, 0.7);
+  EXPECT_GT(best("the machine", {0, 1}).confidence, 0.9);
+  EXPECT_EQ(best("the time machine", {0, 1, 2}).confidence, 1);
+}
+
 TEST_F(ValueSearchTest, NeedsNoLightWords) {
   EXPECT_TRUE(best("bank china").whole);
   EXPECT_TRUE(best("nurul ahmad").whole);

@@ -38,6 +38,7 @@ private:
   std::optional<SampledSentence> walk(Step step);
   void take(const Step& step);
   void read_tags(std::uint32_t actions);
+  void close(const TagInfo& tag);
   std::optional<SentenceMeaning> meaning(const RuleInfo& rule) const;
   TopicNumber only_topic() const;
 
@@ -48,7 +49,8 @@ private:
   // Of the walk.
   SampledSentence made_;
   std::vector<std::string> slots_;
-  int open_slots_ = 0;
+  // The last value within each slot that is open.
+  std::vector<std::optional<EntityId>> open_slots_;
   bool fills_with_words_ = false;
   bool is_unusable_ = false;
 };
@@ -79,7 +81,7 @@ std::vector<SampledSentence> Walker::run(std::size_t count) {
 std::optional<SampledSentence> Walker::walk(Step step) {
   made_ = {};
   slots_.clear();
-  open_slots_ = 0;
+  open_slots_.clear();
   is_unusable_ = fills_with_words_ = false;
   for (std::size_t length = 0; length < longest && !is_unusable_; ++length) {
     take(step);
@@ -106,21 +108,25 @@ std::optional<SampledSentence> Walker::walk(Step step) {
 void Walker::take(const Step& step) {
   read_tags(step.arc->actions);
   const auto symbol = step.arc->symbol;
-  if (!step.is_value)
+  if (!step.is_value) {
     made_.words.emplace_back(words_[symbol]);
-  else if (symbol == asked_entity)
+  } else if (symbol == asked_entity) {
     is_unusable_ = true;
-  else if (is_form(symbol) || is_set(symbol))
+  } else if (is_form(symbol) || is_set(symbol)) {
     made_.words.push_back(value_word(symbol));
-  else
-    fills_with_words_ = fills_with_words_ || open_slots_ > 0;
+    std::ranges::fill(open_slots_, symbol);
+  } else {
+    fills_with_words_ = fills_with_words_ || !open_slots_.empty();
+  }
 }
 
 void Walker::read_tags(std::uint32_t actions) {
   for (const auto& action : automaton_.actions[actions]) {
     const auto& tag = automaton_.tags[action.tag];
-    if (tag.kind == TagKind::slot)
-      open_slots_ += action.opens ? 1 : -1;
+    if (tag.kind == TagKind::slot && action.opens)
+      open_slots_.emplace_back();
+    else if (tag.kind == TagKind::slot)
+      close(tag);
     if (!action.opens)
       continue;
     if (tag.kind == TagKind::act)
@@ -135,6 +141,12 @@ void Walker::read_tags(std::uint32_t actions) {
         made_.meaning.topic == no_topic)
       made_.meaning.topic = tag.topic;
   }
+}
+
+void Walker::close(const TagInfo& tag) {
+  if (open_slots_.back() && !tag.has_value)
+    made_.values.emplace_back(tag.name, *open_slots_.back());
+  open_slots_.pop_back();
 }
 
 std::optional<SentenceMeaning> Walker::meaning(const RuleInfo& rule) const {

@@ -29,6 +29,8 @@ struct SampledSentence {
   // about any words ends with that of words_entity, which nobody says.
   std::vector<std::string> words;
   SentenceMeaning meaning;
+  // The slots that values of a kind fill.
+  std::vector<std::pair<std::string, EntityId>> values;
 };
 
 // About `count` sentences, fewer if the rules say fewer; each once. Rules of

@@ -1,6 +1,7 @@
 #include "adapters/nlu/understand/likeness.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "adapters/nlu/text/negation.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
@@ -21,6 +22,26 @@ std::string shown(const std::vector<std::string>& words) {
   return made;
 }
 
+// Fills a slot with the longest value of this kind, false if none is said.
+bool add_value(BuiltAct& act, const Spans& spans, const std::string& slot,
+               EntityId entity) {
+  std::optional<std::uint32_t> best;
+  for (std::uint32_t at = 0; at < spans.all().size(); ++at)
+    if (const auto& span = spans[at];
+        span.entity == entity && !span.unmatched &&
+        (!best || span.end - span.core > spans[*best].end - spans[*best].core))
+      best = at;
+  if (best)
+    act.fills.push_back(
+        {slot, act.topic, best, {}, spans[*best].core, spans[*best].end});
+  return best.has_value();
+}
+
+bool are_apart(const Fill& one, const Fill& other) {
+  return !one.span || !other.span || one.end <= other.begin ||
+         other.end <= one.begin;
+}
+
 } // namespace
 
 Likeness::Likeness(const Automaton& automaton, const Schema& schema)
@@ -34,6 +55,7 @@ Likeness::Likeness(const Automaton& automaton, const Schema& schema)
       meanings_.push_back(sentence.meaning);
     texts_.add(sentence.words, label);
     sentences_.push_back(shown(sentence.words));
+    values_.push_back(sentence.values);
   }
   texts_.finish();
 }
@@ -60,8 +82,8 @@ Likeness::likes(const Utterance& utterance,
   }
   std::vector<Like> made;
   for (const auto& near : texts_.find(said, others, most_meanings))
-    made.push_back(
-        {meanings_[near.label], sentences_[near.text], near.similarity});
+    made.push_back({meanings_[near.label], sentences_[near.text],
+                    near.similarity, values_[near.text]});
   return made;
 }
 
@@ -84,9 +106,14 @@ std::vector<BuiltAct> Likeness::acts(const Utterance& utterance, Spans& spans,
     act.score = like.similarity + context.bonus(act.topic);
     for (const auto& [slot, value] : like.meaning.literals)
       act.fills.push_back({slot, act.topic, {}, value, act.begin, act.end});
+    if (!std::ranges::all_of(like.values, [&](const auto& value) {
+          return add_value(act, spans, value.first, value.second);
+        }))
+      continue;
     for (auto& fill : certain_fills(utterance, spans, schema, act.topic))
-      if (std::ranges::find(act.fills, fill.slot, &Fill::slot) ==
-          act.fills.end())
+      if (std::ranges::all_of(act.fills, [&](const Fill& other) {
+            return other.slot != fill.slot && are_apart(other, fill);
+          }))
         act.fills.push_back(std::move(fill));
     const bool begins = !topic.enquiry && act.fills.empty();
     if (act.score >= threshold + (begins ? task_without_values : 0))

@@ -21,6 +21,8 @@ public:
     SentenceMeaning meaning;
     std::string sentence; // that a rule says
     double similarity = 0;
+    // Its slots, and the kinds of their values.
+    std::vector<std::pair<std::string, EntityId>> values;
   };
 
   Likeness(const Automaton& automaton, const Schema& schema);
@@ -40,7 +42,8 @@ public:
 private:
   std::vector<SentenceMeaning> meanings_;
   std::vector<std::string> sentences_; // by text
-  std::vector<std::string> words_;     // by number of the automaton
+  std::vector<std::vector<std::pair<std::string, EntityId>>> values_;
+  std::vector<std::string> words_; // by number of the automaton
   NearestTexts texts_;
 };
 

@@ -27,6 +27,8 @@ std::set<std::string> sampled(const std::string& rules,
             stages.schema.at(one.meaning.topic).name;
     for (const auto& [slot, value] : one.meaning.literals)
       line += " " + slot + "=" + value.text();
+    for (const auto& [slot, entity] : one.values)
+      line += " " + slot + "=@";
     made.insert(line);
   }
   return made;
@@ -48,9 +50,9 @@ TEST(SampledSentences, HaveTheirMeaning) {
                           "Location=2"));
   // A slot that one topic has, and its usual act.
   EXPECT_THAT(sampled("public <where> = where is @Facility.Category;"),
-              ElementsAre("where is @ -> request Facility"));
+              ElementsAre("where is @ -> request Facility Category=@"));
   EXPECT_THAT(sampled("public <host> = meet @db:staff.name {Host};"),
-              ElementsAre("meet @ -> inform Appointment"));
+              ElementsAre("meet @ -> inform Appointment Host=@"));
 }
 
 TEST(SampledSentences, LeaveOutValuesThatAreAnyWords) {

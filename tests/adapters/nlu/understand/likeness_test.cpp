@@ -12,6 +12,8 @@ public <print> = where can i [go to] print [a few] pages {Name=Copy shop}
 public <where> = what way leads to @Facility.Category {topic=Facility};
 public <cab> = order me a nice cab [to @words {Destination}] {topic=Taxi};
 public <find> = anything close by called @words {Name} {topic=Facility};
+public <sign> = what is written on the sign of @db:staff.name {Location}
+  {topic=Facility} {act=request};
 public <meet> = arrange a meeting with @db:staff.name {Host}
   {topic=Appointment};
 )";
@@ -37,6 +39,12 @@ TEST(Likeness, ValuesAreTaken) {
   EXPECT_EQ(understood("the bank, what leads to it, which way"),
             "request Facility Category=bank");
   EXPECT_EQ(understood("which way leads to it, what"), "");
+}
+
+// Though the slot takes no such values where it is said alone.
+TEST(Likeness, ValuesFillTheSlotOfTheRule) {
+  EXPECT_EQ(understood("written on sign Priya Nair what"),
+            "request Facility Location=Priya Nair");
 }
 
 TEST(Likeness, AQuestionAboutAnyWordsIsNotAskedWithoutThem) {

@@ -25,6 +25,7 @@ constexpr double min_of_people = 0.7;
 constexpr double stranger_cost = 0.5;
 // A single word of a longer name must be more like it: "market" is no author.
 constexpr double single_word = 0.95;
+constexpr double single_name = 0.815; // "asthma" is no Jane Austen
 // So must a single word of any other longer value: "giving" is no living room.
 constexpr double single_part = 0.87;
 // A word that names nothing by itself: "the Times" may be "The Time Machine".
@@ -270,21 +271,20 @@ double ValueSearch::recall(const Partial& partial) const {
   return double(said) / double(std::max(1, count(value.heavy)));
 }
 
-bool ValueSearch::whole(const Partial& partial) const {
-  return (index_.values_[partial.value].heavy & ~partial.mask) == 0;
-}
-
 bool ValueSearch::of_people(const Partial& partial) const {
   return index_.sets_[index_.values_[partial.value].set].of_people;
 }
 
-// Compares values: how similar the words are, with a bonus for a value that was
-// said completely. Each word of a person's name counts, not their average.
+// How similar the words are. Each word of a person's name counts, not their
+// average.
+double ValueSearch::likeness(const Partial& partial) const {
+  return of_people(partial) ? double(partial.fidelity)
+                            : double(partial.similarity) / partial.count;
+}
+
+// Compares values, with a bonus for one that was said completely.
 double ValueSearch::quality(const Partial& partial) const {
-  const auto alike = of_people(partial)
-                         ? double(partial.fidelity)
-                         : double(partial.similarity) / partial.count;
-  return alike + (whole(partial) ? 0.2 : 0.0);
+  return likeness(partial) + (whole(partial) ? 0.2 : 0.0);
 }
 
 // Unknown words, and with people words of other names.
@@ -337,22 +337,22 @@ std::size_t ValueSearch::strangers(std::size_t begin, std::size_t end,
 // person, they mean another person.
 double ValueSearch::confidence(const Partial& partial, std::size_t begin,
                                std::size_t end) const {
-  const auto set = index_.values_[partial.value].set;
-  const auto mean = double(partial.similarity) / partial.count;
+  const auto& value = index_.values_[partial.value];
+  const auto others = double(strangers(begin, end, value.set));
+  const auto alike = likeness(partial);
   const bool is_single = partial.count == 1 && !whole(partial);
-  if (of_people(partial))
-    return double(partial.fidelity) * (0.9 + 0.1 * recall(partial)) *
-           (is_single ? single_word : 1) *
-           std::pow(stranger_cost, double(strangers(begin, end, set)));
-  if (whole(partial))
-    return mean;
-  if (is_single && mean < single_part)
+  if (is_single && alike < (of_people(partial) ? single_name : single_part))
     return 0;
-  if (count(partial.mask & index_.values_[partial.value].heavy) == 1 &&
+  if (of_people(partial))
+    return alike * (0.9 + 0.1 * recall(partial)) *
+           (is_single ? single_word : 1) * std::pow(stranger_cost, others);
+  if (whole(partial))
+    return alike;
+  if (count(partial.mask & value.heavy) == 1 &&
       is_vague(tokens_.list[end - 1].word))
     return vague_part;
-  return mean * mean * (0.9 + 0.1 * recall(partial)) * partial.count /
-         (partial.count + double(strangers(begin, end, set)));
+  return alike * alike * (0.9 + 0.1 * recall(partial)) * partial.count /
+         (partial.count + others);
 }
 
 // "to" is no "Journey to the Centre of the Earth", nor "three" the musketeers.

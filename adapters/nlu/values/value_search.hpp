@@ -71,9 +71,12 @@ private:
   void emit_set(std::size_t begin, std::size_t end,
                 std::span<const Partial> partials);
   double recall(const Partial& partial) const;
-  bool whole(const Partial& partial) const;
+  bool whole(const Partial& partial) const {
+    return (index_.values_[partial.value].heavy & ~partial.mask) == 0;
+  }
   bool is_plain_part(const Partial& partial, std::size_t begin,
                      std::size_t end) const;
+  double likeness(const Partial& partial) const;
   double quality(const Partial& partial) const;
   double confidence(const Partial& partial, std::size_t begin,
                     std::size_t end) const;

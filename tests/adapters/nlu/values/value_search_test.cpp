@@ -143,6 +143,12 @@ TEST_F(PeopleTest, AreNotTakenForSomebodyElse) {
   EXPECT_EQ(name("nora binte kassim"), "");
   EXPECT_EQ(name("daniel chua zhi hao"), "");
   EXPECT_EQ(name("arun son of perumal"), "");
+  index.add({"Walt Whitman", "Jane Austen", "Mark Twain", "Mary Shelley",
+             "Bram Stoker", "Emily Bronte", "Leo Tolstoy", "George Eliot",
+             "Henry James", "Lewis Carroll"});
+  EXPECT_EQ(best("asthma").confidence, 0);
+  EXPECT_EQ(best("walk").confidence, 0);
+  EXPECT_GT(best("wallt").confidence, 0.8);
 }
 
 } // namespace

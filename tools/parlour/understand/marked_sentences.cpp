@@ -21,6 +21,10 @@ Map map_of(const Value& value) {
 std::string mistake_in(const Value& row) {
   if (!row.if_map() || !row["text"].if_string())
     return R"(a line is an object with a text: {"text": "…", "topic": "…"})";
+  if (!row["acts"].is_unknown())
+    return "'acts' are what --batch prints; a marked sentence has a 'topic' "
+           "and "
+           "'slots' of its own";
   for (const auto* key : {"slots", "context"})
     if (!row[key].is_unknown() && !row[key].if_map())
       return std::string("'") + key + "' is an object: {\"name\": …}";

@@ -36,6 +36,7 @@ TEST(MarkedSentences, TellTheLineOfAMistake) {
   for (const auto* wrong :
        {"{\"text\": \"a\"}\n{\"text\": ", "{\"text\": \"a\"}\n[1]",
         "{\"text\": \"a\"}\n{\"topic\": \"Taxi\"}",
+        "{\"text\": \"a\"}\n{\"text\": \"b\", \"acts\": []}",
         "{\"text\": \"a\"}\n{\"text\": \"b\", \"slots\": [1]}"}) {
     const auto made = read(wrong);
     ASSERT_FALSE(made) << wrong;

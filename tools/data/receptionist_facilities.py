@@ -16,7 +16,7 @@ Monday), opening and closing time. They must agree with the description.
 
 OFFERS = {
     "Bicycle Bay": "bike",
-    "Innovation Gallery": "look around",
+    "Innovation Gallery": "look around, sightseeing",
     "Food Chain food court": "chicken rice, vegan food, breakfast, "
                              "dinner, a meal, something to eat, food",
     "Fresh Basket": "nappies, diapers, milk, water, vegetables, toiletries",
@@ -46,21 +46,22 @@ OFFERS = {
     "Meridian Library": "read, study, somewhere quiet, a quiet place, "
                         "somewhere to sit, somewhere to work",
     "Sky garden": "somewhere to sit, a bench, fresh air, flowers, "
-                  "somewhere to relax",
+                  "somewhere to relax, sightseeing",
     "Prayer Room": "pray",
     "Swimming pool": "swimming, a swim",
     "Skyline Gym": "exercise, work out",
     "Cloud Terrace": "steak, cocktails, beer, pint, wine, a meal",
     "Merlin Cleaners": "tailor",
     "Bright Steps": "preschool",
-    "Viewing Deck": "photos, pictures, sunset",
+    "Viewing Deck": "photos, pictures, sunset, sightseeing",
+    "Star home": "sightseeing",
 }
 
 NO_OFFERS = {
     "drinks", "something to eat", "something to drink", "somewhere to sit",
     "somewhere to work", "somewhere to relax", "see a doctor", "make a copy",
     "print something", "change a nappy", "feed a baby", "work out",
-    "look around", "a quiet place",
+    "look around", "a quiet place", "sightseeing",
     "first aid", "read", "study", "view",
     "help", "delivery", "collection", "parcel", "counter", "taxi", "cab",
     "pick up", "meeting", "course", "class", "workshop", "robot", "research",

@@ -1,12 +1,14 @@
 // Each walk begins with another arc of the start state, so that every rule is
 // walked, and ends where a rule is complete. The rule, and the tags on the way,
-// tell the meaning.
+// tell the meaning. Chance begins anew with each walk, from its first word:
+// what is drawn from a rule does not hang on the other rules.
 #include "adapters/nlu/grammar/sampled_sentences.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <set>
 
+#include "adapters/nlu/text/hash.hpp"
 #include "runtime/base/random.hpp"
 
 namespace parlour::adapters::nlu {
@@ -19,7 +21,7 @@ constexpr std::size_t longest = 24;
 class Walker {
 public:
   Walker(const Automaton& automaton, const Schema& schema)
-      : automaton_(automaton), schema_(schema), random_(1),
+      : automaton_(automaton), schema_(schema),
         words_(automaton.vocabulary.size() + 1) {
     for (const auto& [word, number] : automaton.vocabulary)
       words_[number] = word;
@@ -35,6 +37,7 @@ private:
   };
 
   static std::vector<Step> steps_from(const State& state);
+  std::string text_of(const Step& step) const;
   std::optional<SampledSentence> walk(Step step);
   void take(const Step& step);
   void read_tags(std::uint32_t actions);
@@ -44,7 +47,7 @@ private:
 
   const Automaton& automaton_;
   const Schema& schema_;
-  Random random_;
+  Random random_{0};
   std::vector<std::string_view> words_; // by number
   // Of the walk.
   SampledSentence made_;
@@ -64,16 +67,24 @@ std::vector<Walker::Step> Walker::steps_from(const State& state) {
   return steps;
 }
 
+std::string Walker::text_of(const Step& step) const {
+  const auto symbol = step.arc->symbol;
+  return step.is_value ? value_word(symbol) : std::string(words_[symbol]);
+}
+
 std::vector<SampledSentence> Walker::run(std::size_t count) {
   std::vector<SampledSentence> sentences;
   const auto starts = steps_from(automaton_.states[0]);
   if (starts.empty())
     return sentences;
   std::set<std::vector<std::string>> seen;
-  for (std::size_t at = 0; at < count; ++at)
-    if (auto sentence = walk(starts[at % starts.size()]))
+  for (std::size_t at = 0; at < count; ++at) {
+    const auto& start = starts[at % starts.size()];
+    random_ = Random(hash_of(text_of(start)) + at / starts.size());
+    if (auto sentence = walk(start))
       if (seen.insert(sentence->words).second)
         sentences.push_back(std::move(*sentence));
+  }
   return sentences;
 }
 

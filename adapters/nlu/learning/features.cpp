@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "adapters/nlu/learning/hash.hpp"
+#include "adapters/nlu/text/hash.hpp"
 
 namespace parlour::adapters::nlu {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "adapters/nlu/learning/hash.hpp"
+#include "adapters/nlu/text/hash.hpp"
 
 namespace parlour::adapters::nlu {
 

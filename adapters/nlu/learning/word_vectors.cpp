@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "adapters/nlu/learning/hash.hpp"
+#include "adapters/nlu/text/hash.hpp"
 #include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::adapters::nlu {

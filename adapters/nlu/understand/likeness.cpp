@@ -22,6 +22,10 @@ std::string shown(const std::vector<std::string>& words) {
   return made;
 }
 
+// How much more alike a text must be to a rule that gives a value which the
+// text does not say: "how long is left" asks for no price.
+constexpr double value_of_rule = 0.1;
+
 // Fills a slot with the longest value of this kind, false if none is said.
 bool add_value(BuiltAct& act, const Spans& spans, const std::string& slot,
                EntityId entity) {
@@ -116,7 +120,8 @@ std::vector<BuiltAct> Likeness::acts(const Utterance& utterance, Spans& spans,
           }))
         act.fills.push_back(std::move(fill));
     const bool begins = !topic.enquiry && act.fills.empty();
-    if (act.score >= threshold + (begins ? task_without_values : 0))
+    if (act.score >= threshold + (begins ? task_without_values : 0) +
+                         (like.meaning.literals.empty() ? 0 : value_of_rule))
       acts.push_back(std::move(act));
   }
   keep_best(acts);

@@ -348,9 +348,9 @@ double ValueSearch::confidence(const Partial& partial, std::size_t begin,
            (is_single ? single_word : 1) * std::pow(stranger_cost, others);
   if (whole(partial))
     return alike;
-  if (count(partial.mask & value.heavy) == 1 &&
-      is_vague(tokens_.list[end - 1].word))
-    return vague_part;
+  const auto said = count(partial.mask & value.heavy);
+  if (said == 0 || (said == 1 && is_vague(tokens_.list[end - 1].word)))
+    return said * vague_part;
   return alike * alike * (0.9 + 0.1 * recall(partial)) * partial.count /
          (partial.count + others);
 }

@@ -71,11 +71,13 @@ create table fact (
   answer varchar(255) not null
 ) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
 
--- What is vegan suits vegetarians, too. What fills is told first, and what has
+-- What is vegan suits vegetarians, too; what suits neither has meat or fish. What fills is told first, and what has
 -- alcohol last.
 create view menu_card as
   select name, kind, price, diet,
          case diet when 'vegan' then 'vegan, vegetarian' else diet end as suits,
+         case when diet = '' then 'meat'
+              when kind in ('hot drink', 'cold drink') then 'no alcohol' else '' end as features,
          case kind when 'main dish' then 1 when 'snack' then 2 when 'dessert' then 3
                    when 'breakfast' then 4 when 'hot drink' then 5 when 'cold drink' then 6
                    else 7 end as course

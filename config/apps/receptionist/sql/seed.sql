@@ -703,7 +703,7 @@ values
 (30, 'Bright Steps', 'childcare centre', 'children, nursery, preschool', '#03-02', 3, 'Bright Steps is a childcare centre on the third floor for children from eighteen months to six years.', '64072493'),
 (31, 'Nursing Room', 'nursing room', 'baby, mother, quiet, breastfeed, change a nappy, feed a baby, baby changing', '#03-03', 3, 'The Nursing Room is on the third floor, beside the childcare centre.', '64072510'),
 (32, 'Sharp Copies', 'print shop', 'printing, copying, binding, print something, make a copy, photocopy, scan', '#03-04', 3, 'Sharp Copies is a print shop on the third floor that binds documents while you wait.', '64072527'),
-(33, 'Innovation Gallery', 'gallery', 'exhibition, science, tour, look around', '#04-01', 4, 'The Innovation Gallery is on the fourth floor and shows what is made in this building.', '64072544'),
+(33, 'Innovation Gallery', 'gallery', 'exhibition, science, tour, look around, sightseeing', '#04-01', 4, 'The Innovation Gallery is on the fourth floor and shows what is made in this building.', '64072544'),
 (34, 'Auditorium', 'hall', 'lecture, concert, conference, stage', '#05-01', 5, 'The Auditorium is on the fifth floor and has three hundred and twenty seats.', '64072561'),
 (35, 'Fifth Floor Toilets', 'toilet', 'washroom, restroom, accessible', '#05-02', 5, 'The Fifth Floor Toilets are on the fifth floor, at the doors of the Auditorium.', '64072578'),
 (36, 'Meridian Library', 'library', 'books, journals, reading, read, study, somewhere quiet, a quiet place, somewhere to sit, somewhere to work', '#06-01', 6, 'The Meridian Library is on the sixth floor, and visitors may read there without a card.', '64072595'),
@@ -712,15 +712,15 @@ values
 (39, 'Prayer Room', 'prayer room', 'prayer, quiet, pray', '#09-01', 9, 'The Prayer Room is on the ninth floor and is open to everyone.', '64072646'),
 (40, 'Orchid Room', 'meeting room', 'meeting, projector, twelve seats', '#11-01', 11, 'The Orchid Room is a meeting room for twelve on the eleventh floor, with a projector.', '64072663'),
 (41, 'Jasmine Room', 'meeting room', 'meeting, screen, six seats', '#11-02', 11, 'The Jasmine Room is a meeting room for six on the eleventh floor, with a screen.', '64072680'),
-(42, 'Star home', 'showroom', 'smart home, demonstration, apartment', '#12-01', 12, 'Star home is an apartment of the future on the twelfth floor, shown every hour.', '64072697'),
+(42, 'Star home', 'showroom', 'smart home, demonstration, apartment, sightseeing', '#12-01', 12, 'Star home is an apartment of the future on the twelfth floor, shown every hour.', '64072697'),
 (43, 'Angsana Room', 'meeting room', 'meeting, projector, twenty seats', '#13-01', 13, 'The Angsana Room is a meeting room for twenty on the thirteenth floor, with a projector.', '64072714'),
 (44, 'Tembusu Room', 'meeting room', 'meeting, video, eight seats', '#17-01', 17, 'The Tembusu Room is a meeting room for eight on the seventeenth floor, with a video link.', '64072731'),
-(45, 'Sky garden', 'garden', 'plants, view, benches, outdoor, somewhere to sit, a bench, fresh air, flowers, somewhere to relax', '#21-01', 21, 'The Sky garden is on the twenty first floor and is open until sunset.', '64072748'),
+(45, 'Sky garden', 'garden', 'plants, view, benches, outdoor, somewhere to sit, a bench, fresh air, flowers, somewhere to relax, sightseeing', '#21-01', 21, 'The Sky garden is on the twenty first floor and is open until sunset.', '64072748'),
 (46, 'Swimming pool', 'pool', 'swim, sport, lane, swimming, a swim', '#23-01', 23, 'The Swimming pool is on the twenty third floor, in the open air, and is open from seven in the morning to nine at night.', '64072765'),
 (47, 'Skyline Gym', 'gym', 'fitness, sport, yoga, weights, exercise, work out', '#23-02', 23, 'The Skyline Gym is on the twenty third floor, beside the swimming pool.', '64072782'),
 (48, 'Poolside Toilets', 'toilet', 'washroom, restroom, showers, lockers', '#23-03', 23, 'The Poolside Toilets are on the twenty third floor and have showers and lockers.', '64072799'),
 (49, 'Cloud Terrace', 'restaurant', 'western, grill, bar, dinner, steak, cocktails, beer, pint, wine, a meal', '#24-01', 24, 'Cloud Terrace is a restaurant on the twenty fourth floor that opens for dinner at six.', '64072816'),
-(50, 'Viewing Deck', 'viewing deck', 'view, photographs, outdoor, photos, pictures, sunset', '#24-02', 24, 'The Viewing Deck is on the twenty fourth floor, around the restaurant.', '64072833');
+(50, 'Viewing Deck', 'viewing deck', 'view, photographs, outdoor, photos, pictures, sunset, sightseeing', '#24-02', 24, 'The Viewing Deck is on the twenty fourth floor, around the restaurant.', '64072833');
 
 insert into rr_hours
   (hours_id, facility, days, opens, closes)

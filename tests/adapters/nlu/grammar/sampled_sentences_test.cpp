@@ -43,6 +43,20 @@ TEST(SampledSentences, AreAllThatRulesSay) {
                            "please order a cab -> inform Taxi"));
 }
 
+// Else a word more in one rule would change what others are like.
+TEST(SampledSentences, OfARuleDoNotHangOnOtherRules) {
+  std::string rule = "public <cab> = ";
+  for (int word = 0; word < 12; ++word)
+    rule += "[w" + std::to_string(word) + "] ";
+  rule += "{topic=Taxi};";
+  const auto alone = sampled(rule, 600);
+  auto left =
+      sampled(rule + "public <shut> = is the bank shut {topic=Facility};", 600);
+  EXPECT_EQ(left.erase("is the bank shut -> request Facility"), 1u);
+  EXPECT_GT(left.size(), 100u);
+  EXPECT_THAT(left, testing::IsSubsetOf(alone));
+}
+
 TEST(SampledSentences, HaveTheirMeaning) {
   EXPECT_THAT(sampled("public <shut> = is the bank shut {Location=2}"
                       " {Category=bank} {topic=Facility} {act=inform};"),

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "adapters/nlu/learning/hash.hpp"
 #include "adapters/nlu/learning/word_vectors.hpp"
+#include "adapters/nlu/text/hash.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters::nlu::test {

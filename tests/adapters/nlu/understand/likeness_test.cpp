@@ -56,6 +56,13 @@ TEST(Likeness, ATaskWithoutAValueNeedsMore) {
   EXPECT_EQ(understood("cab order for granny"), "");
 }
 
+// Who wants to go home prints no pages: the copy shop is only the rule's word.
+TEST(Likeness, AValueThatOnlyTheRuleGivesNeedsMore) {
+  EXPECT_EQ(understood("can i go home", "", 0.35),
+            "request Facility Name=Copy shop");
+  EXPECT_EQ(understood("can i go home", "", 0.4), "");
+}
+
 TEST(Likeness, MustReachTheThreshold) {
   EXPECT_EQ(understood("can pages print here, where", "", 0.95), "");
 }

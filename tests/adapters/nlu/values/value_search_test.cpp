@@ -59,6 +59,13 @@ TEST_F(ValueSearchTest, DoubtsAWordThatNamesNothing) {
   EXPECT_EQ(best("the time machine", {0, 1, 2}).confidence, 1);
 }
 
+// Nor is a number alone a place that it is a part of the name of.
+TEST_F(ValueSearchTest, TakesNoNumberForAPartOfAValue) {
+  index.add({"Second Floor Toilets"});
+  EXPECT_EQ(best("one second first tell me").confidence, 0);
+  EXPECT_GT(best("the second floor toilets").confidence, 0.9);
+}
+
 TEST_F(ValueSearchTest, NeedsNoLightWords) {
   EXPECT_TRUE(best("bank china").whole);
   EXPECT_TRUE(best("nurul ahmad").whole);

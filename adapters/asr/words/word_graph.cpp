@@ -112,7 +112,7 @@ constexpr Symbol nothing = std::numeric_limits<Symbol>::max();
 constexpr std::size_t most_arcs = 10;
 
 void sort_arcs(Arcs& arcs) {
-  std::ranges::sort(arcs);
+  std::sort(arcs.begin(), arcs.end());
   arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
 }
 

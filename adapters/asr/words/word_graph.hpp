@@ -3,12 +3,12 @@
 // hundred names in twenty rules are kept once.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,7 +51,10 @@ struct WordGraph {
     Symbol symbol = 0;
     std::uint32_t target = 0;
 
-    auto operator<=>(const Arc&) const = default;
+    bool operator==(const Arc&) const = default;
+    bool operator<(const Arc& other) const {
+      return std::tie(symbol, target) < std::tie(other.symbol, other.target);
+    }
   };
   // The arcs are sorted; no two are equal.
   struct State {

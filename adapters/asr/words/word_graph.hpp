@@ -44,7 +44,7 @@ private:
 
 // State 0 is the start. What a regular expression over words would be,
 // compiled. Paths may be rings, and several arcs of a state may have the same
-// symbol: a graph without such choices has eight times as many arcs for the
+// symbol: a graph without such choices has five times as many arcs for the
 // receptionist.
 struct WordGraph {
   struct Arc {

@@ -147,14 +147,10 @@ void lint_columns(const LintContext& context, Findings& findings) {
   ColumnLint lint(context, findings);
   if (!lint.has_any())
     return;
-  walk(context, false, [&](const Element& element, const ElementRule& rule) {
-    if (is_statement(rule))
-      lint.note(element);
-  });
-  walk(context, false, [&](const Element& element, const ElementRule& rule) {
-    if (is_statement(rule))
-      lint.look_at(element);
-  });
+  walk_statements(context, false,
+                  [&](const Element& element) { lint.note(element); });
+  walk_statements(context, false,
+                  [&](const Element& element) { lint.look_at(element); });
 }
 
 } // namespace parlour::script::lint

@@ -93,6 +93,14 @@ void walk(const LintContext& context, bool platform, const Visit& visit) {
     walk(*context.settings, rule_of(*context.settings), visit);
 }
 
+void walk_statements(const LintContext& context, bool platform,
+                     const std::function<void(const Element&)>& visit) {
+  walk(context, platform, [&](const Element& element, const ElementRule& rule) {
+    if (is_statement(rule))
+      visit(element);
+  });
+}
+
 // Text of an element is collapsed first, as the compiler does.
 void visit_nodes(const Element& element, const ElementRule& rule,
                  const VisitNode& visit) {

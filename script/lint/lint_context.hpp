@@ -47,6 +47,10 @@ void walk(const Element& element, const ElementRule& rule, const Visit& visit);
 // `platform` is set, and for the settings.
 void walk(const LintContext& context, bool platform, const Visit& visit);
 
+// The same for statements only.
+void walk_statements(const LintContext& context, bool platform,
+                     const std::function<void(const Element&)>& visit);
+
 // Calls `visit` with the tree of each expression in an element's own attributes
 // and text, and with its source: values that are expressions, and expressions
 // that are embedded in texts.

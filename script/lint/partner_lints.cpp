@@ -174,14 +174,10 @@ void lint_partners(const LintContext& context, Findings& findings) {
   if (!context.settings)
     return;
   PartnerLint lint(context, findings);
-  walk(context, true, [&](const Element& element, const ElementRule& rule) {
-    if (is_statement(rule))
-      lint.note(element);
-  });
-  walk(context, false, [&](const Element& element, const ElementRule& rule) {
-    if (is_statement(rule))
-      lint.look_at(element);
-  });
+  walk_statements(context, true,
+                  [&](const Element& element) { lint.note(element); });
+  walk_statements(context, false,
+                  [&](const Element& element) { lint.look_at(element); });
 }
 
 } // namespace parlour::script::lint

@@ -51,11 +51,6 @@ bool is_answer(const BuiltAct& act) {
   return is_plain(act, "confirm") || is_plain(act, "deny");
 }
 
-bool is_answer(const Island& island) {
-  return !island.is_content() &&
-         (island.act == "confirm" || island.act == "deny");
-}
-
 // Applies the rules to the acts of one utterance.
 class Doubts {
 public:
@@ -106,7 +101,7 @@ private:
     const bool leads_nowhere =
         leads_in && (at + 1 == chain.links.size() ||
                      !chain.links[at + 1].island->is_content());
-    if (leads_nowhere || (is_answer(island) && passes_over(island)))
+    if (leads_nowhere || (island.is_answer() && passes_over(island)))
       return;
     for (auto token = island.begin; token < island.end; ++token)
       understood_[token] = !leads_in || !is_turning_word(word(token));

@@ -53,6 +53,10 @@ struct Island {
   bool is_content() const {
     return !topics.empty();
   }
+  // Yes or no, about no topic.
+  bool is_answer() const {
+    return !is_content() && (act == "confirm" || act == "deny");
+  }
   // "…, isn't it?": says nothing of its own.
   bool is_tag() const {
     return rule->generic && rule->name == "<generic-acts.tag_question>";

@@ -9,11 +9,6 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-bool is_answer(const Island& island) {
-  return !island.is_content() &&
-         (island.act == "confirm" || island.act == "deny");
-}
-
 // If nobody asks for a yes, a topic's own rule for "yes" stands, and "yes" may
 // be the value of the slot that was asked for.
 bool may_be_yes(const Island& island, const Context& context) {
@@ -29,7 +24,7 @@ void prefer_answers(std::vector<Island>& islands, const Context& context) {
   // "Yeah, hi, Ravi Iyer, he's with IT": a yes that passes over more words than
   // it has does not say what they mean.
   for (const auto& island : islands)
-    if (is_answer(island) && island.score >= 0)
+    if (island.is_answer() && island.score >= 0)
       answers.emplace_back(island.begin, island.end);
   std::erase_if(islands, [&](const Island& island) {
     return island.is_content() && !may_be_yes(island, context) &&
@@ -86,7 +81,7 @@ void prefer_application(std::vector<Island>& islands) {
   std::erase_if(islands, [&](const Island& island) {
     if (!island.rule->generic || island.is_content())
       return false;
-    if (is_answer(island))
+    if (island.is_answer())
       return island.denies && begins_own(island);
     return !island.act.empty() && std::ranges::any_of(own, [&](const Own& one) {
       return one.begin == island.begin && one.end == island.end &&

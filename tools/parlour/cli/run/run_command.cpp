@@ -281,12 +281,12 @@ private:
 
   // Piped input: rows of turns (row_reader.hpp), output by the printer.
   void talk_by_lines(actors::Node& node) {
-    PacedDriver driver(node, options_.clock.has_value(), printer_, last_left());
-    if (key_)
+    if (key_) // said before the robot speaks: then it is the visitor's turn
       note("a key begins your turn and ends it: " +
            option_value(key_->options, key_->factory.description.options,
                         "key") +
            "; Ctrl-C ends the conversation");
+    PacedDriver driver(node, options_.clock.has_value(), printer_, last_left());
     if (key_ || (talk_by_rows(driver) && options_.voice))
       hearing_.wait();
     end(node);

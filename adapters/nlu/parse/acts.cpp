@@ -128,8 +128,10 @@ private:
     if (!island.act.empty() && group_.act.empty())
       group_.act = island.act;
     group_.only_bare = group_.only_bare && is_value(island);
-    const bool denied = denies(island) || (is_value(island) &&
-                                           utterance_.is_negated(island.begin));
+    const bool denied =
+        without == 0 &&
+        (denies(island) ||
+         (is_value(island) && utterance_.is_negated(island.begin)));
     for (const auto& fill : island.fills) {
       auto& fills =
           denied || fill.begin < without ? group_.denied : group_.fills;
@@ -168,7 +170,8 @@ private:
     if (island.fills.empty() ||
         !schema_.at(link.topic).takes_many(island.fills[0].slot))
       return 0;
-    if (marker_ && denies_first_value(utterance_, *marker_, island))
+    if (denies(island) ||
+        (marker_ && denies_first_value(utterance_, *marker_, island)))
       return end_of_denied(utterance_, island);
     if (is_value(island) || !utterance_.is_negated(island.begin))
       return 0;
@@ -275,15 +278,13 @@ private:
     acts_.push_back(std::move(act));
   }
 
-  // What is not wanted is an act of its own, if anything may have been said of
-  // it before; the others replace nothing.
+  // What is not wanted is an act of its own; the others replace nothing.
   void take_out_denied(BuiltAct& others) {
     auto act = others;
     act.act = "deny";
     act.fills = std::exchange(group_.denied, {});
     act.end = others.begin = group_.without;
-    if (context_.goes_on(act.topic))
-      acts_.push_back(std::move(act));
+    acts_.push_back(std::move(act));
     group_.corrects = false;
   }
 

@@ -18,6 +18,7 @@
 #include "adapters/nlu/parse/island_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/parse/preferences.hpp"
+#include "adapters/nlu/parse/taken_back.hpp"
 #include "adapters/nlu/parse/unmatched_values.hpp"
 #include "adapters/nlu/text/words.hpp"
 #include "adapters/nlu/understand/explanation.hpp"
@@ -367,6 +368,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   for (auto& act : acts)
     correct_what_was_said(act, spans, context);
   join_corrections(acts, schema);
+  leave_out_taken_back(acts, utterance, spans, schema, context);
 
   Understanding made;
   made.work = matcher.work();

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "adapters/nlu/text/word_set.hpp"
+#include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -21,11 +22,6 @@ bool takes_back(std::string_view word, std::string_view before) {
 // "A burger and no beer": before a "no" that begins no clause.
 bool leads_to_no(std::string_view word) {
   static const WordSet words{"no", "and", "but", "oh", "with", "so"};
-  return words.contains(word);
-}
-
-bool is_determiner(std::string_view word) {
-  static const WordSet words{"the", "a", "an", "any", "my", "our", "that"};
   return words.contains(word);
 }
 
@@ -149,10 +145,14 @@ private:
     return is_mended && value.slot == next.slot;
   }
 
+  // What a rule writes, or one of a list.
   bool are_same(const Fill& one, const Fill& other) const {
-    return one.slot == other.slot && one.span && other.span &&
+    if (one.slot != other.slot)
+      return false;
+    if (one.literal || other.literal)
+      return one.literal && other.literal && *one.literal == *other.literal;
+    return one.span && other.span && !spans_[*one.span].values.empty() &&
            spans_[*one.span].entity == spans_[*other.span].entity &&
-           !spans_[*one.span].values.empty() &&
            spans_[*one.span].values == spans_[*other.span].values;
   }
 

@@ -8,6 +8,9 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// How much of what is said with a value that nobody knows must be understood.
+constexpr double least_understood = 0.7;
+
 // A longer name of something unknown is none.
 constexpr std::uint32_t most_words = 4;
 // The share of its words that a value which nobody knows leaves unexplained
@@ -69,6 +72,12 @@ private:
   const Utterance& utterance_;
   const Context& context_;
 };
+
+// Within a text: at its beginning each word has a capital letter.
+bool is_capital(const Fill& fill, const Utterance& utterance) {
+  const auto first = utterance.text[utterance.tokens.list[fill.begin].begin];
+  return fill.begin > 0 && first >= 'A' && first <= 'Z';
+}
 
 class Unlikely {
 public:
@@ -139,11 +148,8 @@ private:
            !is_capital(fill);
   }
 
-  // Within a text: at its beginning each word has a capital letter.
   bool is_capital(const Fill& fill) const {
-    const auto first =
-        utterance_.text[utterance_.tokens.list[fill.begin].begin];
-    return fill.begin > 0 && first >= 'A' && first <= 'Z';
+    return nlu::is_capital(fill, utterance_);
   }
 
   bool is_in_fill(const Island& island, std::uint32_t at) const {
@@ -229,6 +235,35 @@ void leave_out_pieces_of_values(std::vector<Island>& islands,
   };
   std::erase_if(islands, [&](const Island& island) {
     return std::ranges::any_of(island.fills, is_piece);
+  });
+}
+
+namespace {
+
+bool is_unknown_value(const Fill& fill, const Spans& spans) {
+  return fill.span && spans[*fill.span].unmatched &&
+         is_set(spans[*fill.span].entity);
+}
+
+} // namespace
+
+bool is_far_fetched(const BuiltAct& act, const Utterance& utterance,
+                    const Spans& spans, const Context& context) {
+  return act.understood < least_understood &&
+         std::ranges::any_of(act.fills, [&](const Fill& fill) {
+           return is_unknown_value(fill, spans) &&
+                  !is_capital(fill, utterance) &&
+                  (act.topic != context.asked_topic ||
+                   fill.slot != context.asked_slot);
+         });
+}
+
+void leave_out_unknown_values(std::vector<Island>& islands,
+                              const Spans& spans) {
+  std::erase_if(islands, [&](const Island& island) {
+    return std::ranges::any_of(island.fills, [&](const Fill& fill) {
+      return is_unknown_value(fill, spans);
+    });
   });
 }
 

@@ -6,8 +6,8 @@
 
 #include <vector>
 
+#include "adapters/nlu/parse/built_act.hpp"
 #include "adapters/nlu/parse/context.hpp"
-#include "adapters/nlu/parse/islands.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -29,5 +29,14 @@ void leave_out_lookalikes(std::vector<Island>& islands,
 // means the lung ward.
 void leave_out_pieces_of_values(std::vector<Island>& islands,
                                 const Spans& spans);
+
+// Whether an act has such a value, which is written like no name, and what is
+// said with it is hardly understood: "if they don't have it, is there a shop
+// that sells them" asks for nothing that is called "sells".
+bool is_far_fetched(const BuiltAct& act, const Utterance& utterance,
+                    const Spans& spans, const Context& context);
+
+// Takes out all islands with such a value.
+void leave_out_unknown_values(std::vector<Island>& islands, const Spans& spans);
 
 } // namespace parlour::adapters::nlu

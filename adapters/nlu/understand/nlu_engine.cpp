@@ -353,8 +353,15 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   auto islands = read_islands(matcher.run(), matcher.traces(), spans,
                               self.automaton, schema, context);
   leave_out_what_nobody_means(islands, utterance, spans, schema, context);
-  const auto chains = best_chains(islands, utterance.size(), context);
+  auto chains = best_chains(islands, utterance.size(), context);
   auto acts = self.acts_of(chains[0], utterance, context);
+  if (std::ranges::any_of(acts, [&](const BuiltAct& act) {
+        return is_far_fetched(act, utterance, spans, context);
+      })) {
+    leave_out_unknown_values(islands, spans);
+    chains = best_chains(islands, utterance.size(), context);
+    acts = self.acts_of(chains[0], utterance, context);
+  }
   const auto choice = choice_of(utterance, context);
   if (choice)
     acts = {*choice};

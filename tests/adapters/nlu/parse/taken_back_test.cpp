@@ -21,7 +21,8 @@ std::string ordered(const std::string& text, const std::string& asked = "") {
          true}},
        {"I take a [burger](Dish)"}}};
   model.grammars = {{"order",
-                     R"(<dish> = [a | an | the | two | three] @Order.Dish;
+                     R"(<dish> = [a | an | the | some | those | two | three]
+            (@Order.Dish | [paper] (napkin | napkins) {Dish=napkin});
           public <order> = [i take | bring me] <dish> [[and | or] <dish>]
             [[and] <dish>] {topic=Order} {act=inform};
           public <amount> = (make it | instead) <dish> {topic=Order} {act=correct};)",
@@ -57,6 +58,13 @@ TEST(TakenBack, IsDeniedWhereItMayHaveBeenSaidEarlier) {
 TEST(TakenBack, IsWhatIsMendedAtOnce) {
   EXPECT_EQ(ordered("a burger, no, sorry, the chips"), "inform chips");
   EXPECT_EQ(ordered("a beer, I mean a cola, and chips"), "inform cola chips");
+}
+
+TEST(TakenBack, MayBeWhatARuleWrites) {
+  EXPECT_EQ(ordered("some chips and a paper napkin, without the napkin"),
+            "inform chips");
+  EXPECT_EQ(ordered("a napkin and a beer, no, no napkins"), "inform beer");
+  EXPECT_EQ(ordered("two beers and a cola without those beers"), "inform cola");
 }
 
 TEST(TakenBack, IsNothingBehindANoThatStandsAlone) {

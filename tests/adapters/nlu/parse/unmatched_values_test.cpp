@@ -88,6 +88,14 @@ TEST(UnlikelyValues, PeopleHaveNoDeterminer) {
   EXPECT_EQ(acts_of("call my wife"), "inform Call Who=wife?");
 }
 
+TEST(FarFetchedValues, AreInSentencesThatAreHardlyUnderstood) {
+  EXPECT_EQ(acts_of("well, call zorro"), "inform Call Who=zorro?");
+  EXPECT_EQ(acts_of("granny call zorro"), "");
+  // A capital letter within the text tells a name.
+  EXPECT_EQ(acts_of("granny call Zorro"), "inform Call Who=Zorro?");
+  EXPECT_EQ(acts_of("granny call ann lee"), "inform Call Who=Ann Lee");
+}
+
 TEST(UnlikelyValues, AreExpectedWhereTheConversationIsAboutThem) {
   EXPECT_EQ(likely("what is a helipad", "Facility"), "helipad");
   EXPECT_EQ(likely("what is a helipad", "Facility.Category"), "helipad");

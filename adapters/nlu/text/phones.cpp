@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
+#include "adapters/nlu/text/letter_groups.hpp"
 #include "runtime/text/edit_distance.hpp"
 
 namespace parlour::adapters::nlu {
@@ -14,26 +14,21 @@ namespace {
 
 constexpr std::size_t longest = 32;
 
-struct Spelling {
-  std::string_view letters;
-  std::string_view phones;
-};
-
 // At the beginning of a word.
-constexpr std::array<Spelling, 11> beginnings{{{"zh", "j"},
-                                               {"x", "S"},
-                                               {"qu", "kw"},
-                                               {"q", "C"},
-                                               {"kn", "n"},
-                                               {"wr", "r"},
-                                               {"hw", "w"},
-                                               {"ng", "uN"},
-                                               {"sng", "suN"},
-                                               {"gh", "g"},
-                                               {"y", "y"}}};
+constexpr LetterGroups beginnings(std::to_array<LetterGroup>({{"zh", "j"},
+                                                              {"x", "S"},
+                                                              {"qu", "kw"},
+                                                              {"q", "C"},
+                                                              {"kn", "n"},
+                                                              {"wr", "r"},
+                                                              {"hw", "w"},
+                                                              {"ng", "uN"},
+                                                              {"sng", "suN"},
+                                                              {"gh", "g"},
+                                                              {"y", "y"}}));
 
 // Anywhere else. Of two that fit, the first is taken.
-constexpr std::array<Spelling, 50> groups{
+constexpr LetterGroups groups(std::to_array<LetterGroup>(
     {{"tch", "C"},   {"sch", "S"},   {"ch", "C"},   {"sh", "S"},
      {"zh", "j"},    {"dj", "j"},    {"dz", "z"},   {"ts", "z"},
      {"tz", "z"},    {"ph", "f"},    {"th", "t"},   {"kh", "k"},
@@ -46,10 +41,11 @@ constexpr std::array<Spelling, 50> groups{
      {"oa", "o"},    {"ee", "i"},    {"ea", "i"},   {"ie", "ie"},
      {"oo", "u"},    {"ew", "iu"},   {"ue", "ue"},  {"ui", "ui"},
      {"uh", "u"},    {"ah", "a"},    {"oh", "o"},   {"eh", "e"},
-     {"ih", "i"},    {"er", "er"}}};
+     {"ih", "i"},    {"er", "er"}}));
 
 bool is_vowel(char phone) {
-  return std::string_view("aeiou").find(phone) != std::string_view::npos;
+  constexpr LetterSet vowels("aeiou");
+  return vowels.contains(phone);
 }
 
 bool is_soft(char letter) {
@@ -63,10 +59,7 @@ char phone_of(char letter, char next) {
   case 'q':
     return 'k';
   case 'y':
-    return next == '\0' || std::string_view("aeiou").find(next) ==
-                               std::string_view::npos
-               ? 'i'
-               : 'y';
+    return is_vowel(next) ? 'y' : 'i';
   default:
     return letter;
   }
@@ -87,19 +80,15 @@ public:
   }
 
 private:
-  bool take(std::span<const Spelling> spellings) {
-    const auto rest = word_.substr(at_);
-    for (const auto& [letters, phones] : spellings) {
-      // The first letter tells nearly all apart.
-      if (rest.empty() || letters.front() != rest.front() ||
-          !rest.starts_with(letters))
-        continue;
-      at_ += letters.size();
-      for (const char phone : phones)
-        add(phone);
-      return true;
-    }
-    return false;
+  template <std::size_t size>
+  bool take(const LetterGroups<size>& spellings) {
+    const auto* const found = spellings.find(word_.substr(at_));
+    if (!found)
+      return false;
+    at_ += found->letters.size();
+    for (const char phone : found->sounds)
+      add(phone);
+    return true;
   }
 
   // A silent "e" ends a word with another vowel: "grace".

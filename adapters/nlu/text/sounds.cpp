@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "adapters/nlu/text/letter_groups.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {
@@ -14,30 +16,29 @@ constexpr std::size_t short_word = 4;
 constexpr std::size_t few_consonants = 3;
 
 // Letters that together are one sound, the longest first; at the beginning of a
-// word only if they begin with ^.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> groups{
-    {{"^kn", "n"},
-     {"^wr", "r"},
-     {"^gh", "g"},
-     {"tch", "c"},
-     {"sch", "x"},
-     {"ph", "f"},
-     {"gh", ""},
-     {"ck", "k"},
-     {"ch", "c"},
-     {"sh", "x"},
-     {"zh", "j"},
-     {"th", "t"},
-     {"wh", "w"},
-     {"kh", "k"},
-     {"qu", "k"},
-     {"ts", "s"},
-     {"tz", "s"},
-     {"dg", "j"},
-     {"ng", "n"}}};
+// word others as well.
+constexpr LetterGroups beginnings(
+    std::to_array<LetterGroup>({{"kn", "n"}, {"wr", "r"}, {"gh", "g"}}));
+constexpr LetterGroups groups(std::to_array<LetterGroup>({{"tch", "c"},
+                                                          {"sch", "x"},
+                                                          {"ph", "f"},
+                                                          {"gh", ""},
+                                                          {"ck", "k"},
+                                                          {"ch", "c"},
+                                                          {"sh", "x"},
+                                                          {"zh", "j"},
+                                                          {"th", "t"},
+                                                          {"wh", "w"},
+                                                          {"kh", "k"},
+                                                          {"qu", "k"},
+                                                          {"ts", "s"},
+                                                          {"tz", "s"},
+                                                          {"dg", "j"},
+                                                          {"ng", "n"}}));
 
 bool is_vowel(char letter) {
-  return std::string_view("aeiouy").find(letter) != std::string_view::npos;
+  constexpr LetterSet vowels("aeiouy");
+  return vowels.contains(letter);
 }
 
 // "e", "i" and "y" make "c" and "g" soft.
@@ -79,20 +80,16 @@ public:
 
 private:
   bool take_group() {
-    for (auto [letters, sound] : groups) {
-      if (letters.starts_with('^') && at_ > 0)
-        continue;
-      letters.remove_prefix(letters.starts_with('^') ? 1 : 0);
-      // The first letter tells nearly all apart.
-      if (letters.front() != word_[at_] ||
-          !word_.substr(at_).starts_with(letters))
-        continue;
-      at_ += letters.size();
-      for (const char one : sound)
-        add(one);
-      return true;
-    }
-    return false;
+    const auto rest = word_.substr(at_);
+    const auto* found = at_ == 0 ? beginnings.find(rest) : nullptr;
+    if (!found)
+      found = groups.find(rest);
+    if (!found)
+      return false;
+    at_ += found->letters.size();
+    for (const char sound : found->sounds)
+      add(sound);
+    return true;
   }
 
   void take_letter() {

@@ -90,8 +90,9 @@ struct State {
   std::vector<Arc> words;
   std::vector<Arc> entities;
   std::vector<Accept> accepts;
-  // The bits of the words.
+  // The bits of the words and of the entities.
   std::uint64_t word_bits = 0;
+  std::uint64_t entity_bits = 0;
 };
 
 struct RuleInfo {

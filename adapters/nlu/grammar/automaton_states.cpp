@@ -15,8 +15,11 @@ constexpr std::uint32_t no_state = 0xFFFFFFFF;
 
 std::span<const Arc> arcs_of(const std::vector<Arc>& arcs,
                              std::uint32_t symbol) {
-  return {std::ranges::lower_bound(arcs, symbol, {}, &Arc::symbol),
-          std::ranges::upper_bound(arcs, symbol, {}, &Arc::symbol)};
+  const auto first = std::ranges::lower_bound(arcs, symbol, {}, &Arc::symbol);
+  auto last = first;
+  while (last != arcs.end() && last->symbol == symbol)
+    ++last;
+  return {first, last};
 }
 
 // Only nodes that can be reached become states.
@@ -85,6 +88,8 @@ void AutomatonBuilder::fill_state(NodeId node) {
   std::ranges::stable_sort(state.words, {}, &Arc::symbol);
   for (const auto& arc : state.words)
     state.word_bits |= word_bit(arc.symbol);
+  for (const auto& arc : state.entities)
+    state.entity_bits |= entity_bit(arc.symbol);
   arcs_ += state.words.size() + state.entities.size();
   if (arcs_ > max_arcs && !std::exchange(too_large_, true))
     error({}, "the grammars are too large together: more than " +

@@ -102,6 +102,7 @@ private:
       entities.insert(entities.end(), state.entities.begin(),
                       state.entities.end());
       made.word_bits |= state.word_bits;
+      made.entity_bits |= state.entity_bits;
       for (const auto& accept : state.accepts)
         if (std::ranges::find(made.accepts, accept) == made.accepts.end())
           made.accepts.push_back(accept);

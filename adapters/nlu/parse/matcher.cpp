@@ -14,8 +14,9 @@ namespace {
 // reserved.
 constexpr std::size_t max_items = 400;
 constexpr std::size_t usual_items = 16;
-// How many matches may end at a token.
+// How many matches may end at a token, and for how many memory is reserved.
 constexpr std::size_t max_matches = 32;
+constexpr std::size_t usual_matches = 8;
 // How many words in a row may be skipped; fillers do not count.
 constexpr std::uint8_t max_skipped = 3;
 // How many words `@words` takes, and how many if the last question wants any
@@ -50,10 +51,15 @@ Matcher::Matcher(const Automaton& automaton, const Utterance& utterance,
     : automaton_(automaton), utterance_(utterance), spans_(spans),
       asked_(asked), grammar_(std::move(grammar)), items_(utterance.size() + 1),
       found_(utterance.size() + 1) {
-  for (auto& items : items_)
-    items.reserve(usual_items);
-  for (std::size_t at = 0; at < utterance.size(); ++at)
-    ahead_.push_back(bits_ahead(at));
+  here_.reserve(utterance.size());
+  ahead_.reserve(utterance.size() + 1);
+  skips_.reserve(utterance.size());
+  for (std::size_t at = 0; at < utterance.size(); ++at) {
+    here_.push_back(takes_at(at));
+    skips_.push_back(skip_of(at));
+  }
+  for (std::size_t at = 0; at <= utterance.size(); ++at)
+    ahead_.push_back(takes_from(at));
   traces_.reserve(usual_items * utterance.size());
   // Entry 0 means the end of a list.
   traces_.emplace_back();
@@ -69,6 +75,8 @@ std::vector<Match> Matcher::run() {
     limit(items);
     for (const auto& item : items)
       step(at, item);
+    items.clear();
+    spare_ = std::move(items);
     Item start;
     start.begin = start.last = at;
     take_word(at, start);
@@ -91,9 +99,13 @@ std::vector<Match> Matcher::run() {
 // Keeps the best partial match for each state, beginning and strength; of
 // equally good ones the first. They stay in the order of the grammar.
 void Matcher::carry(const Item& item, std::size_t position) {
-  if (!may_go_on(item.state, position))
+  if (!may_go_on(item, position))
     return;
   auto& items = items_[position];
+  if (items.capacity() == 0) {
+    items.swap(spare_);
+    items.reserve(usual_items);
+  }
   for (auto& other : items) {
     if (other.state != item.state || other.begin != item.begin ||
         other.weak != item.weak)
@@ -126,47 +138,75 @@ void Matcher::step(std::size_t position, const Item& item) {
 // never skipped, since it turns the meaning round. Neither is any "not" by what
 // is said about the conversation: "I can not see" is no "I see".
 void Matcher::skip(std::size_t position, const Item& item) {
-  if (utterance_.negates[position])
+  const auto& skip = skips_[position];
+  if (utterance_.negates[position] || !may_go_on(item, position + 1) ||
+      (skip.counts && item.skipped >= max_skipped))
     return;
   auto next = item;
-  if (utterance_.filler[position])
-    next.score -= 0.02F;
-  else if (++next.skipped > max_skipped)
-    return;
-  else
-    next.score -= utterance_.function[position] ? 0.25F : 0.6F;
+  if (skip.counts)
+    ++next.skipped;
+  next.score -= skip.cost;
   next.score -= break_cost(utterance_.tokens.list[position].before);
-  next.denied = item.denied || is_not(utterance_.tokens.list[position].word);
+  next.denied = item.denied || skip.denies;
   carry(next, position + 1);
 }
 
-std::uint64_t Matcher::bits_ahead(std::size_t position) const {
-  std::uint64_t bits = 0;
+Matcher::Skip Matcher::skip_of(std::size_t position) const {
+  const bool filler = utterance_.filler[position];
+  return {filler                          ? 0.02F
+          : utterance_.function[position] ? 0.25F
+                                          : 0.6F,
+          !filler, is_not(utterance_.tokens.list[position].word)};
+}
+
+// Known values, the value that a question asks for, and behind a word of the
+// rule open words, which take no normal form.
+Matcher::Takes Matcher::takes_at(std::size_t position) const {
+  Takes takes;
+  if (const auto word = utterance_.words[position]; word != unknown_word)
+    takes.words |= word_bit(word);
+  if (const auto* synonyms = utterance_.synonyms[position])
+    for (const auto word : *synonyms)
+      takes.words |= word_bit(word);
+  takes.first = spans_.entities_at(position);
+  if (asked_ != asked_entity)
+    takes.first |= entity_bit(asked_entity);
+  takes.behind_word =
+      takes.first |
+      (spans_.may_open(position) ? ~form_bits : entity_bit(rest_entity));
+  return takes;
+}
+
+Matcher::Takes Matcher::takes_from(std::size_t position) const {
+  Takes takes;
   for (int skipped = 0; position < utterance_.size(); ++position) {
-    if (const auto word = utterance_.words[position]; word != unknown_word)
-      bits |= word_bit(word);
-    if (const auto* synonyms = utterance_.synonyms[position])
-      for (const auto word : *synonyms)
-        bits |= word_bit(word);
+    const auto& here = here_[position];
+    takes.words |= here.words;
+    takes.first |= here.first;
+    takes.behind_word |= here.behind_word;
     if (utterance_.negates[position] ||
         (!utterance_.filler[position] && ++skipped > max_skipped))
       break;
   }
-  return bits;
+  return takes;
 }
 
 // Whether a word or value that the state takes may still come. Most partial
 // matches end here, which saves their being carried on.
-bool Matcher::may_go_on(std::uint32_t number, std::size_t position) const {
-  const auto& state = automaton_.states[number];
-  return position < utterance_.size() &&
-         (!state.entities.empty() || (state.word_bits & ahead_[position]) != 0);
+bool Matcher::may_go_on(const Item& item, std::size_t position) const {
+  const auto& state = automaton_.states[item.state];
+  const auto& ahead = ahead_[position];
+  return (state.word_bits & ahead.words) != 0 ||
+         (state.entity_bits & ahead.entities(item)) != 0;
 }
 
 // A synonym is worth a little less than the word that the rule has.
 constexpr float synonym_cost = 0.1F;
 
 void Matcher::take_word(std::size_t position, const Item& item) {
+  const auto& state = automaton_.states[item.state];
+  if ((state.word_bits & here_[position].words) == 0)
+    return;
   if (const auto word = utterance_.words[position]; word != unknown_word)
     follow_word(position, item, word, 0);
   if (const auto* synonyms = utterance_.synonyms[position])
@@ -201,8 +241,13 @@ void Matcher::follow_word(std::size_t position, const Item& item,
 }
 
 void Matcher::take_entities(std::size_t position, const Item& item) {
-  for (const auto& arc : automaton_.states[item.state].entities)
-    take_entity(position, item, arc);
+  const auto& state = automaton_.states[item.state];
+  const auto takes = here_[position].entities(item);
+  if ((state.entity_bits & takes) == 0)
+    return;
+  for (const auto& arc : state.entities)
+    if ((entity_bit(arc.symbol) & takes) != 0)
+      take_entity(position, item, arc);
 }
 
 // Takes the known values that begin here. If there is none and a value is
@@ -274,6 +319,8 @@ void Matcher::accept(const Item& item, const Accept& accepted) {
   auto whole = item;
   whole.score += accepted.weight + rule.bias;
   auto& ending = found_[item.last];
+  if (ending.empty())
+    ending.reserve(usual_matches);
   const auto same = std::ranges::find_if(ending, [&](const Match& other) {
     return other.rule == accepted.rule && other.begin == item.begin &&
            other.weak == item.weak;

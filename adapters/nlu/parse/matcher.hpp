@@ -93,6 +93,25 @@ private:
     bool denied = false;
   };
 
+  // What a rule may take: the bits of words, and of entities at its beginning
+  // and behind a word of its own.
+  struct Takes {
+    std::uint64_t words = 0;
+    std::uint64_t first = 0;
+    std::uint64_t behind_word = 0;
+
+    std::uint64_t entities(const Item& item) const {
+      return item.words > 0 ? behind_word : first;
+    }
+  };
+
+  // What skipping a token costs.
+  struct Skip {
+    float cost = 0;
+    bool counts = false;
+    bool denies = false; // it is a "not"
+  };
+
   void carry(const Item& item, std::size_t position);
   static void limit(std::vector<Item>& items);
   // The ways to go on from a token: take a word, take a value, skip the token.
@@ -106,8 +125,10 @@ private:
   void take_span(const Item& item, const Arc& arc, std::uint32_t index,
                  bool expected);
   void reach(const Item& item, std::size_t position);
-  std::uint64_t bits_ahead(std::size_t position) const;
-  bool may_go_on(std::uint32_t state, std::size_t position) const;
+  Takes takes_at(std::size_t position) const;
+  Takes takes_from(std::size_t position) const;
+  Skip skip_of(std::size_t position) const;
+  bool may_go_on(const Item& item, std::size_t position) const;
   void accept(const Item& item, const Accept& accept);
   bool is_tried(const RuleInfo& rule) const;
   // Records the actions of an arc that is taken next.
@@ -119,11 +140,15 @@ private:
   Spans& spans_;
   EntityId asked_;
   std::string grammar_;
-  // By token: the bits of all words from there on that can be taken before too
-  // many are skipped.
-  std::vector<std::uint64_t> ahead_;
+  // By token: what may be taken there, and from there on before too many are
+  // skipped; nothing behind the last one.
+  std::vector<Takes> here_;
+  std::vector<Takes> ahead_;
+  std::vector<Skip> skips_; // by token
   // By the token that comes next.
   std::vector<std::vector<Item>> items_;
+  // Is used again, which asks for less memory.
+  std::vector<Item> spare_;
   // By end.
   std::vector<std::vector<Match>> found_;
   std::vector<Trace> traces_;

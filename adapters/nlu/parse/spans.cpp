@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "adapters/nlu/forms/first_words.hpp"
 #include "adapters/nlu/forms/number_words.hpp"
@@ -26,6 +29,9 @@ constexpr float deed_gain = 0.2F;
 // behind them.
 constexpr float rest_gain = 0.7F;
 constexpr std::size_t most_rest = 30;
+
+// How many titles and determiners may stand before open words.
+constexpr std::size_t most_leading = 3;
 
 // Open words may begin with a verb that has little meaning by itself: "remind
 // me to take out the bin".
@@ -60,12 +66,31 @@ bool is_number_like(const Tokens& tokens, std::size_t position) {
 Spans::Spans(const Schema& schema, const Utterance& utterance,
              const std::vector<EntityId>& entities, Now now)
     : schema_(schema), utterance_(utterance), plain_(utterance.plain),
-      by_begin_(utterance.size()), opened_(utterance.size()) {
+      leads_(utterance.size()), stands_(utterance.size()),
+      first_at_(utterance.size() + 1), entities_(utterance.size()),
+      last_opened_(utterance.size()), opened_(1) {
+  for (std::size_t at = 0; at < utterance.size(); ++at) {
+    const auto& word = utterance.tokens.list[at].word;
+    leads_[at] = is_title(word) || is_determiner(word);
+    stands_[at] =
+        !utterance.filler[at] && !utterance.function[at] && !is_comment(word);
+  }
   add_forms(entities, now);
   add_values(entities);
-  for (auto& indices : by_begin_)
-    std::ranges::stable_sort(
-        indices, {}, [&](std::uint32_t index) { return spans_[index].entity; });
+  order();
+}
+
+void Spans::order() {
+  indices_.resize(spans_.size());
+  std::iota(indices_.begin(), indices_.end(), 0U);
+  std::ranges::sort(indices_, {}, [&](std::uint32_t index) {
+    return std::tuple(spans_[index].begin, spans_[index].entity, index);
+  });
+  for (const auto& span : spans_) {
+    ++first_at_[span.begin + 1];
+    entities_[span.begin] |= entity_bit(span.entity);
+  }
+  std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
 }
 
 void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
@@ -127,13 +152,10 @@ void Spans::add(Span span) {
   // is worth no more than its words: "now".
   span.gain = (span.weak ? weight : tokens) * span.confidence;
   while (true) {
-    by_begin_[span.begin].push_back(static_cast<std::uint32_t>(spans_.size()));
     spans_.push_back(span);
     if (span.begin == 0 ||
-        utterance_.tokens.list[span.begin].before != Break::none)
-      return;
-    const auto& word = utterance_.tokens.list[span.begin - 1].word;
-    if (!is_title(word) && !is_determiner(word))
+        utterance_.tokens.list[span.begin].before != Break::none ||
+        !leads_[span.begin - 1])
       return;
     --span.begin;
     span.gain += 0.5F;
@@ -141,24 +163,36 @@ void Spans::add(Span span) {
   }
 }
 
+Spans::Indices Spans::all_at(std::size_t position) const {
+  return Indices(indices_).subspan(
+      first_at_[position], first_at_[position + 1] - first_at_[position]);
+}
+
+// A few spans begin at a position at most.
 Spans::Indices Spans::at(EntityId entity, std::size_t position) const {
-  const auto& indices = by_begin_[position];
-  const auto of = [&](std::uint32_t index) { return spans_[index].entity; };
-  return {std::ranges::lower_bound(indices, entity, {}, of),
-          std::ranges::upper_bound(indices, entity, {}, of)};
+  if ((entities_[position] & entity_bit(entity)) == 0)
+    return {};
+  const auto indices = all_at(position);
+  std::size_t first = 0;
+  while (first < indices.size() && spans_[indices[first]].entity < entity)
+    ++first;
+  auto last = first;
+  while (last < indices.size() && spans_[indices[last]].entity == entity)
+    ++last;
+  return indices.subspan(first, last - first);
 }
 
 // Whether a value of this entity begins in [first, last).
 bool Spans::value_near(EntityId entity, std::size_t first,
                        std::size_t last) const {
-  for (auto begin = first; begin < last && begin < by_begin_.size(); ++begin)
+  for (auto begin = first; begin < last && begin < utterance_.size(); ++begin)
     if (!at(entity, begin).empty())
       return true;
   return false;
 }
 
 bool Spans::is_known(std::size_t position) const {
-  return std::ranges::any_of(by_begin_[position], [&](std::uint32_t index) {
+  return std::ranges::any_of(all_at(position), [&](std::uint32_t index) {
     return is_set(spans_[index].entity) && !spans_[index].weak;
   });
 }
@@ -170,35 +204,43 @@ bool Spans::inside_name(std::size_t position) const {
          !plain_[position - 1];
 }
 
-// Whether open words may begin or end with this token.
-bool Spans::can_stand(std::size_t position) const {
-  return !utterance_.filler[position] && !utterance_.function[position] &&
-         !is_comment(utterance_.tokens.list[position].word);
+// Titles and determiners may precede the value.
+std::size_t Spans::behind_leading(std::size_t position) const {
+  const auto last = std::min(position + most_leading, utterance_.size());
+  while (position < last && leads_[position])
+    ++position;
+  return position;
+}
+
+bool Spans::may_open(std::size_t position) const {
+  const auto first = behind_leading(position);
+  return first < utterance_.size() &&
+         (stands_[first] || is_deed(utterance_.tokens, first));
 }
 
 // What a token adds to the gain of open words. Unknown words are likelier to be
 // a value than words that grammars use.
 float Spans::open_gain(std::size_t position) const {
-  if (!can_stand(position))
+  if (!stands_[position])
     return -0.2F;
   return plain_[position] ? 0.2F : 0.8F;
 }
 
 // Returns one span for the longest run of numbers that have no other certain
 // meaning.
-std::vector<std::uint32_t>
-Spans::open_number(EntityId entity, std::size_t position, std::size_t most) {
+void Spans::open_number(EntityId entity, std::size_t position,
+                        std::size_t most) {
   const auto& tokens = utterance_.tokens;
   const auto last = std::min(position + most, utterance_.size());
   auto end = position;
   while (end < last && is_number_like(tokens, end) &&
          (end == position || tokens.list[end].before == Break::none) &&
-         std::ranges::none_of(by_begin_[end], [&](std::uint32_t index) {
+         std::ranges::none_of(all_at(end), [&](std::uint32_t index) {
            return spans_[index].entity == entity || !spans_[index].weak;
          }))
     ++end;
   if (end == position)
-    return {};
+    return;
   const auto begin = static_cast<std::uint32_t>(position);
   Span span{entity, begin, static_cast<std::uint32_t>(end),
             begin,  {},    {},
@@ -207,39 +249,39 @@ Spans::open_number(EntityId entity, std::size_t position, std::size_t most) {
   span.gain = wrong_number_gain * static_cast<float>(end - position);
   span.covered = static_cast<float>(utterance_.weight_of(position, end)) * 0.7F;
   spans_.push_back(std::move(span));
-  return {static_cast<std::uint32_t>(spans_.size() - 1)};
 }
 
 Spans::Indices Spans::open(EntityId entity, std::size_t position,
                            std::size_t most) {
   // The matcher asks the same for every partial match at this position.
-  for (const auto& opened : opened_[position])
-    if (opened.entity == entity && opened.most == most)
-      return opened.spans;
-  opened_[position].push_back(
-      {entity, most, make_open(entity, position, most)});
-  return opened_[position].back().spans;
+  for (auto at = last_opened_[position]; at != 0; at = opened_[at].before)
+    if (const auto& opened = opened_[at];
+        opened.entity == entity && opened.most == most)
+      return Indices(indices_).subspan(opened.begin, opened.count);
+  const auto known = indices_.size();
+  auto next = spans_.size();
+  make_open(entity, position, most);
+  for (; next < spans_.size(); ++next)
+    indices_.push_back(static_cast<std::uint32_t>(next));
+  opened_.push_back({entity, most, known, indices_.size() - known,
+                     std::exchange(last_opened_[position], opened_.size())});
+  return Indices(indices_).subspan(known);
 }
 
-std::vector<std::uint32_t>
-Spans::make_open(EntityId entity, std::size_t position, std::size_t most) {
+void Spans::make_open(EntityId entity, std::size_t position, std::size_t most) {
   if (entity == rest_entity)
-    return rest_of_clause(position);
-  return is_form(entity) ? open_number(entity, position, most)
-                         : open_words(entity, position, most);
+    rest_of_clause(position);
+  else if (is_form(entity))
+    open_number(entity, position, most);
+  else
+    open_words(entity, position, most);
 }
 
-std::vector<std::uint32_t>
-Spans::open_words(EntityId entity, std::size_t position, std::size_t most) {
-  std::vector<std::uint32_t> made;
+void Spans::open_words(EntityId entity, std::size_t position,
+                       std::size_t most) {
   const bool of_set = is_set(entity);
   const auto size = utterance_.size();
-  // Titles and determiners may precede the value.
-  auto first = position;
-  while (first < size && first < position + 3 &&
-         (is_title(utterance_.tokens.list[first].word) ||
-          is_determiner(utterance_.tokens.list[first].word)))
-    ++first;
+  const auto first = behind_leading(position);
   float gain = 0;
   const bool taken = of_set && (is_known(position) || inside_name(position));
   // Adds a span for each end at which open words may stop. The gain grows with
@@ -250,13 +292,12 @@ Spans::open_words(EntityId entity, std::size_t position, std::size_t most) {
     const bool deed =
         entity == words_entity && at == first && is_deed(utterance_.tokens, at);
     gain += (deed ? deed_gain : open_gain(at)) * (of_set ? 0.7F : 1.0F);
-    if ((at == first && !deed && !can_stand(at)) ||
+    if ((at == first && !deed && !stands_[at]) ||
         (of_set && value_near(entity, at, at + 2)))
       break;
-    if (!can_stand(at))
+    if (!stands_[at])
       continue;
     const auto weight = utterance_.weight_of(position, at + 1);
-    made.push_back(static_cast<std::uint32_t>(spans_.size()));
     spans_.push_back({entity,
                       static_cast<std::uint32_t>(position),
                       static_cast<std::uint32_t>(at + 1),
@@ -269,15 +310,13 @@ Spans::open_words(EntityId entity, std::size_t position, std::size_t most) {
                       gain,
                       static_cast<float>(weight * (of_set ? 0.7 : 0.9))});
   }
-  return made;
 }
 
 Spans::Indices Spans::rest(std::size_t position) {
   return open(rest_entity, position, most_rest);
 }
 
-std::vector<std::uint32_t> Spans::rest_of_clause(std::size_t position) {
-  std::vector<std::uint32_t> made;
+void Spans::rest_of_clause(std::size_t position) {
   const auto size = std::min(utterance_.size(), position + most_rest);
   for (auto at = position; at < size; ++at) {
     if (at > position && utterance_.tokens.list[at].before != Break::none)
@@ -289,10 +328,8 @@ std::vector<std::uint32_t> Spans::rest_of_clause(std::size_t position) {
               0,           0};
     span.gain = rest_gain * static_cast<float>(at + 1 - position);
     span.covered = static_cast<float>(utterance_.weight_of(position, at + 1));
-    made.push_back(static_cast<std::uint32_t>(spans_.size()));
     spans_.push_back(std::move(span));
   }
-  return made;
 }
 
 } // namespace parlour::adapters::nlu

@@ -46,11 +46,15 @@ public:
   Spans(const Schema& schema, const Utterance& utterance,
         const std::vector<EntityId>& entities, Now now);
 
-  // Indices of spans, valid as long as this.
+  // Indices of spans, valid until more are opened.
   using Indices = std::span<const std::uint32_t>;
 
   // The spans of known values of this entity that begin at `position`.
   Indices at(EntityId entity, std::size_t position) const;
+  // The bits of all entities of which a known value begins there.
+  std::uint64_t entities_at(std::size_t position) const {
+    return entities_[position];
+  }
 
   // The spans of words that are no known value, one for each length up to
   // `most` words. For any words (words_entity) they are the value. For a set
@@ -62,6 +66,8 @@ public:
   // The words from `position` on, whatever they mean: up to each word of the
   // clause, but no more than a sentence has.
   Indices rest(std::size_t position);
+  // Whether open() may find words there for any entity but a normal form.
+  bool may_open(std::size_t position) const;
   const Span& operator[](std::uint32_t index) const {
     return spans_[index];
   }
@@ -73,26 +79,28 @@ private:
   void add_forms(const std::vector<EntityId>& entities, Now now);
   void add_values(const std::vector<EntityId>& entities);
   void add(Span span);
+  void order();
+  Indices all_at(std::size_t position) const;
   void mark_plain(const Span& span);
   // Whether a value of any set begins here and is clearly meant.
   bool is_known(std::size_t position) const;
   bool inside_name(std::size_t position) const;
   bool value_near(EntityId entity, std::size_t first, std::size_t last) const;
-  bool can_stand(std::size_t position) const;
-  std::vector<std::uint32_t> make_open(EntityId entity, std::size_t position,
-                                       std::size_t most);
-  std::vector<std::uint32_t> open_words(EntityId entity, std::size_t position,
-                                        std::size_t most);
-  std::vector<std::uint32_t> open_number(EntityId entity, std::size_t position,
-                                         std::size_t most);
-  std::vector<std::uint32_t> rest_of_clause(std::size_t position);
+  std::size_t behind_leading(std::size_t position) const;
+  // They add what is open there to spans_.
+  void make_open(EntityId entity, std::size_t position, std::size_t most);
+  void open_words(EntityId entity, std::size_t position, std::size_t most);
+  void open_number(EntityId entity, std::size_t position, std::size_t most);
+  void rest_of_clause(std::size_t position);
   float open_gain(std::size_t position) const;
 
   // What open() has returned, for the next call with the same arguments.
   struct Opened {
     EntityId entity;
     std::size_t most;
-    std::vector<std::uint32_t> spans;
+    std::size_t begin; // in indices_
+    std::size_t count;
+    std::size_t before; // the one before at this position; 0: none
   };
 
   const Schema& schema_;
@@ -100,9 +108,19 @@ private:
   std::vector<Span> spans_;
   // Utterance::plain, and the tokens of normal forms.
   std::vector<bool> plain_;
-  // By position, sorted by entity.
-  std::vector<std::vector<std::uint32_t>> by_begin_;
-  std::vector<std::vector<Opened>> opened_; // by position
+  // By token: whether it is a title or a determiner, which may stand before a
+  // value, and whether open words may begin or end with it.
+  std::vector<bool> leads_;
+  std::vector<bool> stands_;
+  // Of known spans by their begin and entity, then of those that were opened.
+  std::vector<std::uint32_t> indices_;
+  // By position: where its known spans begin in indices_, with one more behind
+  // the last; and the bits of their entities.
+  std::vector<std::uint32_t> first_at_;
+  std::vector<std::uint64_t> entities_;
+  // The last one of a position; 0: none, as entry 0 is not used.
+  std::vector<std::size_t> last_opened_;
+  std::vector<Opened> opened_;
 };
 
 } // namespace parlour::adapters::nlu

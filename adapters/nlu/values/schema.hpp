@@ -42,6 +42,17 @@ inline bool is_set(EntityId entity) {
   return entity >= first_set_entity;
 }
 
+// One of 64 bits for each entity, by which a set of them is known not to have
+// one. Only sets share their bits.
+constexpr std::uint64_t entity_bit(EntityId entity) {
+  constexpr EntityId of_sets = 64 - first_set_entity;
+  return std::uint64_t{1} << (entity < first_set_entity
+                                  ? entity
+                                  : first_set_entity +
+                                        (entity - first_set_entity) % of_sets);
+}
+inline constexpr std::uint64_t form_bits = entity_bit(form_count) - 1;
+
 // Built once, then only read, by any number of threads; resolve() belongs to
 // building.
 class Schema {

@@ -12,28 +12,25 @@ bool is_per_seat(const Deployment& deployment) {
 }
 
 // Whether it has an instance at this seat.
-bool is_for(const Deployment& deployment, const InstanceScope& seat) {
+bool is_for(const Deployment& deployment, const std::string& seat) {
   const auto& bound_to = deployment.order.policy.seat;
-  return is_per_seat(deployment) &&
-         (bound_to.empty() || bound_to == seat.name());
+  return is_per_seat(deployment) && (bound_to.empty() || bound_to == seat);
 }
 
 } // namespace
 
 // -- who is there -------------------------------------------------------------
 
-// Until a session begins there, the seat's scope speaks for the seat itself.
 void Placements::seat_opened(const actors::seat_opened& what) {
-  const auto scope = std::make_shared<InstanceScope>(what.name, what.name);
-  seats_[what.seat] = scope;
+  auto& seat = seats_[what.seat] = {what.name};
   for (const auto& deployment : deployments_.all())
-    if (is_for(*deployment, *scope))
-      attach_seat(deployment, scope);
+    if (is_for(*deployment, seat.name))
+      attach_seat(deployment, seat);
 }
 
 bool Placements::has_seat(const std::string& name) const {
   return std::ranges::any_of(
-      seats_, [&](const auto& seat) { return seat.second->name() == name; });
+      seats_, [&](const auto& seat) { return seat.second.name == name; });
 }
 
 void Placements::seat_closed(const actors::seat_closed& what) {
@@ -50,8 +47,9 @@ void Placements::session_begins(const SessionId& session) {
 
 // The seat's instances stay, and speak for the seat until its next session.
 void Placements::session_ended(const actors::session_ended& what) {
-  if (const auto seat = seats_.find(what.seat); seat != seats_.end())
-    seat->second->is_over(what.session);
+  const auto seat = seats_.find(what.seat);
+  if (seat != seats_.end() && seat->second.scope)
+    seat->second.scope->is_over(what.session);
 }
 
 void Placements::settle(const DeploymentPointer& deployment) {
@@ -59,20 +57,26 @@ void Placements::settle(const DeploymentPointer& deployment) {
     service_for(deployment, node_);
     return;
   }
-  for (const auto& [actor, scope] : seats_)
-    if (is_for(*deployment, *scope))
-      attach_seat(deployment, scope);
-  for (const auto& [session, seat] : parts_.sessions.seats())
-    attach(deployment, session, seat);
+  for (auto& [actor, seat] : seats_)
+    if (is_for(*deployment, seat.name))
+      attach_seat(deployment, seat);
+  for (const auto& [id, session, seat] : parts_.sessions.all())
+    attach(deployment, id, seat);
+}
+
+// Until a session begins there, it speaks for the seat itself.
+const std::shared_ptr<InstanceScope>& Placements::scope_of(Seat& seat) {
+  if (!seat.scope)
+    seat.scope = std::make_shared<InstanceScope>(seat.name, seat.name);
+  return seat.scope;
 }
 
 // Components of a seat hear each other also between two sessions: their
 // messages belong to the seat's name then.
-void Placements::attach_seat(const DeploymentPointer& deployment,
-                             const std::shared_ptr<InstanceScope>& scope) {
-  if (const auto service = service_for(deployment, scope))
+void Placements::attach_seat(const DeploymentPointer& deployment, Seat& seat) {
+  if (const auto service = service_for(deployment, scope_of(seat)))
     deployment->by_session->put(
-        scope->name(), {service->component->mailbox, service->component->up});
+        seat.name, {service->component->mailbox, service->component->up});
 }
 
 // A seat's instance stays the same from session to session; only whom it speaks
@@ -84,9 +88,9 @@ void Placements::attach(const DeploymentPointer& deployment,
   auto scope = std::make_shared<InstanceScope>(session, session);
   if (is_per_seat(*deployment)) {
     const auto found = seats_.find(seat);
-    if (found == seats_.end() || !is_for(*deployment, *found->second))
+    if (found == seats_.end() || !is_for(*deployment, found->second.name))
       return;
-    scope = found->second;
+    scope = scope_of(found->second);
     scope->begins(session);
   }
   if (const auto service = service_for(deployment, scope))

@@ -39,8 +39,14 @@ public:
   ServicePointer detach(Deployment& deployment, const std::string& scope) const;
 
 private:
-  void attach_seat(const DeploymentPointer& deployment,
-                   const std::shared_ptr<InstanceScope>& scope);
+  struct Seat {
+    std::string name;
+    // Made for the first component that has an instance there.
+    std::shared_ptr<InstanceScope> scope = nullptr;
+  };
+
+  static const std::shared_ptr<InstanceScope>& scope_of(Seat& seat);
+  void attach_seat(const DeploymentPointer& deployment, Seat& seat);
   // Lets the session's messages find the instance of the session, or of its
   // seat.
   void attach(const DeploymentPointer& deployment, const SessionId& session,
@@ -62,7 +68,7 @@ private:
   // The scope without a name.
   const std::shared_ptr<InstanceScope> node_ =
       std::make_shared<InstanceScope>();
-  std::map<seat_actor, std::shared_ptr<InstanceScope>> seats_;
+  std::map<seat_actor, Seat> seats_;
 };
 
 } // namespace parlour::actors

@@ -281,12 +281,15 @@ std::vector<ActorHandle> NodeRuntime::actors() const {
   auto all = central_actors();
   for (auto& handle : instances_.handles())
     all.push_back(std::move(handle));
+  const auto first_seat = static_cast<std::ptrdiff_t>(all.size());
   {
     std::lock_guard lock(seats_mutex_);
     for (const auto& [name, seat] : seats_)
       add(all, seat_state::name, name, seat);
   }
-  for (const auto& [id, session] : sessions_.all_by_id())
+  std::ranges::sort(all.begin() + first_seat, all.end(), {},
+                    &ActorHandle::name);
+  for (const auto& [id, session, seat] : sessions_.all())
     add(all, session_state::name, id, session);
   return all;
 }
@@ -330,7 +333,8 @@ bool NodeRuntime::stop() {
   time_.work.forget_interrupt();
   stop_sessions();
   stop_components();
-  const auto at_work = is_idle() ? std::string("something") : who_is_at_work();
+  const bool idle = time_.work.none() && instances_.names_in_call().empty();
+  const auto at_work = idle ? std::string("something") : who_is_at_work();
   auto end_remaining = [this] {
     stop_actors();
     system_->await_all_actors_done();
@@ -356,10 +360,6 @@ std::string NodeRuntime::who_is_at_work() {
   return names.empty() ? "something" : names;
 }
 
-bool NodeRuntime::is_idle() const {
-  return time_.work.none() && instances_.names_in_call().empty();
-}
-
 void NodeRuntime::stop_sessions() {
   end_session({});
   auto quiet = [this] { return time_.work.none(); };
@@ -377,8 +377,8 @@ void NodeRuntime::stop_components() {
 // In the order in which nobody is sent anything by those who still live.
 void NodeRuntime::stop_actors() {
   constexpr auto reason = caf::exit_reason::user_shutdown;
-  for (auto& session : sessions_.all())
-    caf::anon_send_exit(session, reason);
+  for (const auto& one : sessions_.all())
+    caf::anon_send_exit(one.session, reason);
   {
     std::lock_guard lock(seats_mutex_); // visitors may still come and go
     for (auto& [name, seat] : std::exchange(seats_, {}))

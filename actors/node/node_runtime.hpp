@@ -2,7 +2,6 @@
 // hides.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -24,6 +23,7 @@
 #include "actors/sessions/seat.hpp"
 #include "actors/sessions/session_parts.hpp"
 #include "actors/support/id_source.hpp"
+#include "runtime/base/text/text_map.hpp"
 
 namespace parlour::actors {
 
@@ -113,8 +113,6 @@ private:
   // "Weather, City": those that keep the node from ending; "something" where
   // none can be named.
   std::string who_is_at_work();
-  // No message is in flight, and no instance is in a call.
-  bool is_idle() const;
 
   // In the order of their making: what is below may use what is above.
   NodeOptions options_;
@@ -136,7 +134,7 @@ private:
   // By name, and the manager's handle: other threads may ask how they are, and
   // visit.
   mutable std::mutex seats_mutex_;
-  std::map<std::string, seat_actor> seats_;
+  TextMap<seat_actor> seats_;
 };
 
 } // namespace parlour::actors

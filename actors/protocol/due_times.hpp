@@ -6,10 +6,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "runtime/base/clock.hpp"
@@ -62,7 +62,7 @@ private:
 
   std::function<void()> changed_;
   mutable std::mutex mutex_;
-  std::map<Id, Pending> pending_;
+  std::unordered_map<Id, Pending> pending_;
   // The same in order, for each Of.
   std::array<InOrder, 2> in_order_;
   Id last_ = 0;

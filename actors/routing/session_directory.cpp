@@ -1,5 +1,6 @@
 #include "actors/routing/session_directory.hpp"
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -28,28 +29,14 @@ session_actor SessionDirectory::find(const SessionId& id) const {
   return found == sessions_.end() ? session_actor() : found->second.session;
 }
 
-std::vector<session_actor> SessionDirectory::all() const {
-  std::shared_lock lock(mutex_);
-  std::vector<session_actor> result;
-  for (const auto& [id, entry] : sessions_)
-    result.push_back(entry.session);
-  return result;
-}
-
-std::vector<std::pair<SessionId, session_actor>>
-SessionDirectory::all_by_id() const {
-  std::shared_lock lock(mutex_);
-  std::vector<std::pair<SessionId, session_actor>> result;
-  for (const auto& [id, entry] : sessions_)
-    result.emplace_back(id, entry.session);
-  return result;
-}
-
-std::vector<std::pair<SessionId, seat_actor>> SessionDirectory::seats() const {
-  std::shared_lock lock(mutex_);
-  std::vector<std::pair<SessionId, seat_actor>> result;
-  for (const auto& [id, entry] : sessions_)
-    result.emplace_back(id, entry.seat);
+std::vector<SessionDirectory::Entry> SessionDirectory::all() const {
+  std::vector<Entry> result;
+  {
+    std::shared_lock lock(mutex_);
+    for (const auto& [id, actors] : sessions_)
+      result.push_back({id, actors.session, actors.seat});
+  }
+  std::ranges::sort(result, {}, &Entry::id);
   return result;
 }
 

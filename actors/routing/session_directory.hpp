@@ -2,12 +2,11 @@
 // at which seat. The session manager writes it.
 #pragma once
 
-#include <map>
 #include <shared_mutex>
-#include <utility>
 #include <vector>
 
 #include "actors/protocol/interfaces.hpp"
+#include "runtime/base/text/text_map.hpp"
 
 namespace parlour::actors {
 
@@ -17,24 +16,29 @@ namespace parlour::actors {
 // (message_centre.hpp).
 class SessionDirectory {
 public:
+  struct Entry {
+    SessionId id;
+    session_actor session;
+    seat_actor seat;
+  };
+
   void add(const SessionId& id, session_actor session, seat_actor seat = {});
   void remove(const SessionId& id);
   void clear();
   // Null where there is none.
   session_actor find(const SessionId& id) const;
-  std::vector<session_actor> all() const;
-  std::vector<std::pair<SessionId, session_actor>> all_by_id() const;
-  // Each with its seat.
-  std::vector<std::pair<SessionId, seat_actor>> seats() const;
+  // In the order of their ids.
+  std::vector<Entry> all() const;
   seat_actor seat_of(const SessionId& id) const;
 
 private:
-  mutable std::shared_mutex mutex_;
-  struct Entry {
+  struct Actors {
     session_actor session;
     seat_actor seat;
   };
-  std::map<SessionId, Entry> sessions_;
+
+  mutable std::shared_mutex mutex_;
+  TextMap<Actors> sessions_;
 };
 
 } // namespace parlour::actors

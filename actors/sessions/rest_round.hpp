@@ -8,8 +8,9 @@
 #include <map>
 #include <vector>
 
+#include <caf/actor_control_block.hpp>
+
 #include "runtime/base/clock.hpp"
-#include "runtime/message/message.hpp"
 
 namespace parlour::actors {
 
@@ -20,17 +21,20 @@ public:
   // How soon changed scripts are noticed, where those before let nobody rest.
   static constexpr Milliseconds look_again{60'000};
 
-  // The next ones of all, in the order of their ids.
+  // The next ones of all, in the order in which they opened.
   template <class Entry>
-  std::vector<SessionId> next(const std::map<SessionId, Entry>& sessions,
-                              Milliseconds rest_after) {
-    std::vector<SessionId> told;
+  std::vector<const Entry*> next(const std::map<caf::actor_id, Entry>& sessions,
+                                 Milliseconds rest_after) {
+    std::vector<const Entry*> told;
     if (!may_rest(rest_after))
       return told;
     auto one = sessions.upper_bound(behind_);
-    for (; one != sessions.end() && told.size() < at_once; ++one)
-      told.push_back(one->first);
-    behind_ = one == sessions.end() ? SessionId() : told.back();
+    for (; one != sessions.end() && told.size() < at_once; ++one) {
+      told.push_back(&one->second);
+      behind_ = one->first;
+    }
+    if (one == sessions.end())
+      behind_ = caf::invalid_actor_id;
     return told;
   }
 
@@ -40,7 +44,8 @@ public:
   Milliseconds until_next(Milliseconds rest_after) const {
     if (!may_rest(rest_after))
       return look_again;
-    return behind_.empty() ? std::max(rest_after / 2, between) : between;
+    return behind_ == caf::invalid_actor_id ? std::max(rest_after / 2, between)
+                                            : between;
   }
 
 private:
@@ -48,7 +53,8 @@ private:
     return rest_after > Milliseconds::zero();
   }
 
-  SessionId behind_; // the last one that was told; empty: a round begins
+  // The last one that was told; invalid: a round begins.
+  caf::actor_id behind_ = caf::invalid_actor_id;
 };
 
 } // namespace parlour::actors

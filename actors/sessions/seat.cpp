@@ -83,7 +83,7 @@ seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
 
 // By the names that there are few of: a node may have seats of many visitors.
 std::string configured_name(const seat_actor& seat,
-                            const std::map<std::string, seat_actor>& seats,
+                            const TextMap<seat_actor>& seats,
                             const std::vector<SeatSettings>& configured) {
   for (const auto& one : configured)
     if (const auto found = seats.find(one.name);

@@ -2,7 +2,6 @@
 // This one shows what is said by calling back; text is heard at once.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "actors/support/node_time.hpp"
 #include "actors/support/observer.hpp"
 #include "runtime/base/settings.hpp"
+#include "runtime/base/text/text_map.hpp"
 #include "script/dialogue/agenda/output_queue.hpp"
 
 namespace parlour::actors {
@@ -51,7 +51,7 @@ seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
 // What the settings call this one of a node's seats; empty: it is none of
 // theirs.
 std::string configured_name(const seat_actor& seat,
-                            const std::map<std::string, seat_actor>& seats,
+                            const TextMap<seat_actor>& seats,
                             const std::vector<SeatSettings>& configured);
 
 } // namespace parlour::actors

@@ -1,5 +1,6 @@
 #include "actors/sessions/session_manager.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <caf/typed_event_based_actor.hpp>
@@ -23,25 +24,17 @@ using Self = session_manager_actor::stateful_pointer<session_manager_state>;
 // Where sessions end faster than late turns come.
 constexpr std::size_t max_departed = 1'000;
 
-SessionId session_at(const session_manager_state& state,
-                     const seat_actor& seat) {
-  const auto found = state.session_of.find(seat.id());
-  return found == state.session_of.end() ? SessionId() : found->second;
-}
-
 // The session is in the directory before it begins: what components say to it
 // from its first word on finds it.
 //
 // Empty where the node stops, or where a session of that id goes on already. A
 // seat that has a session keeps it: two lines that come at once open one.
 SessionId open(Self self, const open_session& what, bool tells_seat = false) {
-  if (auto id = session_at(self->state, what.seat); !id.empty())
-    return id;
-  if (self->state.closing)
-    return {};
   auto& state = self->state;
+  if (const auto* going_on = state.sessions.at(what.seat))
+    return going_on->id;
   const auto& saved = what.saved;
-  if (saved && state.sessions.contains(saved->id))
+  if (state.closing || (saved && state.sessions.find(saved->id)))
     return {};
   auto id = saved ? saved->id : state.names.next_id();
   auto session = self->spawn<caf::monitored>(
@@ -52,13 +45,10 @@ SessionId open(Self self, const open_session& what, bool tells_seat = false) {
                                    state.parts->program->settings.seats)});
   auto& metrics = state.parts->observer.metrics();
   (saved ? metrics.sessions_recovered : metrics.sessions_opened).add();
-  state.directory->add(id, session, what.seat);
+  state.sessions.add(id, session, what.seat);
   if (tells_seat) // before the session can say anything
     self->send(what.seat, next_session{id, what.work});
   self->send(session, begin_session{what.work});
-  state.session_of[session.id()] = id;
-  state.session_of[what.seat.id()] = id;
-  state.sessions[id] = {std::move(session), what.seat};
   return id;
 }
 
@@ -85,7 +75,7 @@ void leave_unhandled(MessageBus& bus, const std::vector<Message>& messages,
 void bring(Self self, const seat_actor& seat, std::vector<Message> turns,
            const InFlight& work) {
   auto& state = self->state;
-  const bool opens = session_at(state, seat).empty();
+  const bool opens = !state.sessions.at(seat);
   const auto id = open(self, {seat, work});
   if (id.empty())
     return leave_unhandled(state.parts->bus, turns);
@@ -93,7 +83,7 @@ void bring(Self self, const seat_actor& seat, std::vector<Message> turns,
     self->send(seat, next_session{id, work});
   for (auto& turn : turns)
     turn.session = id;
-  self->send(state.sessions[id].session, deliver{std::move(turns), work});
+  self->send(state.sessions.at(seat)->session, deliver{std::move(turns), work});
 }
 
 // What a session that is over will not read, or what a seat's own components
@@ -110,7 +100,7 @@ void take_further(Self self, const SessionId& session,
     return leave_unhandled(bus, messages);
   if (!is_seat)
     leave_unhandled(bus, take_others(messages, *bus.table(), {}));
-  else if (session_at(state, seat).empty())
+  else if (!state.sessions.at(seat))
     leave_unhandled(bus, take_others(messages, *bus.table(), session),
                     "no conversation is going on at its seat");
   if (!messages.empty())
@@ -146,14 +136,11 @@ void dismiss(Self self, const std::string& name, const seat_actor& seat,
 //   manager -> seat      session_over, then perhaps next_session
 void forget(Self self, const session_gone& what) {
   auto& state = self->state;
-  auto entry = state.sessions.extract(what.session);
-  state.directory->remove(what.session);
-  if (entry.empty())
+  auto entry = state.sessions.remove(what.session);
+  if (!entry)
     return;
   state.parts->observer.metrics().sessions_ended.add();
-  auto& [session, seat, subscriptions] = entry.mapped();
-  state.session_of.erase(session.id());
-  state.session_of.erase(seat.id());
+  auto& [id, session, seat, subscriptions] = *entry;
   self->send(state.parts->supervisor,
              session_ended{what.session, seat, what.work});
   state.parts->bus.retire(std::move(session), what.work);
@@ -169,10 +156,10 @@ void forget(Self self, const session_gone& what) {
 // Every session's end comes here; one that has said session_gone is not known
 // any more.
 void notice_loss(Self self, const caf::down_msg& down) {
-  const auto found = self->state.session_of.find(down.source.id());
-  if (found == self->state.session_of.end())
+  const auto* lost = self->state.sessions.find(down.source.id());
+  if (!lost)
     return;
-  const SessionId id = found->second;
+  const SessionId id = lost->id;
   auto& parts = *self->state.parts;
   auto& last_error = self->state.last_error;
   last_error =
@@ -189,13 +176,15 @@ void notice_loss(Self self, const caf::down_msg& down) {
 // True where it opened one: then the message was taken.
 bool open_for(Self self, const Message& message, const RoutingTable& table,
               const InFlight& work) {
-  bool opened = false;
-  for (const auto& [name, seat] : self->state.seats)
-    if (session_at(self->state, seat).empty() && table.opens(message, name)) {
-      bring(self, seat, {message}, work);
-      opened = true;
-    }
-  return opened;
+  auto& state = self->state;
+  std::vector<std::string> names;
+  for (const auto& [name, seat] : state.seats)
+    if (!state.sessions.at(seat) && table.opens(message, name))
+      names.push_back(name);
+  std::ranges::sort(names); // so that equal runs open them in one order
+  for (const auto& name : names)
+    bring(self, state.seats.find(name)->second, {message}, work);
+  return !names.empty();
 }
 
 // What the platform says goes to all, if anybody listens; what a component says
@@ -209,10 +198,10 @@ void pass_to_all(Self self, Message message, const InFlight& work) {
   const bool listens =
       raised ? table->is_listened_to(message) : message.correlation == 0;
   bool taken = raised;
-  for (const auto& [id, entry] : self->state.sessions)
+  for (const auto& [number, entry] : self->state.sessions.all())
     if (listens &&
         (raised || is_subscribed(entry.subscriptions, *table, message))) {
-      message.session = id;
+      message.session = entry.id;
       self->send(entry.session, deliver{{message}, work});
       taken = true;
     }
@@ -224,9 +213,8 @@ void pass_to_all(Self self, Message message, const InFlight& work) {
 
 // All of its subscriptions: they take the place of those before.
 void note_subscriptions(Self self, const subscribe& what) {
-  const auto found = self->state.sessions.find(what.session);
-  if (found != self->state.sessions.end())
-    found->second.subscriptions = what.to;
+  if (auto* found = self->state.sessions.find(what.session))
+    found->subscriptions = what.to;
 }
 
 // All messages of one `forward` have the same session (message_centre.cpp);
@@ -235,9 +223,8 @@ void pass_on(Self self, const forward& what) {
   if (what.messages.empty())
     return;
   const auto& id = what.messages.front().session;
-  auto found = self->state.sessions.find(id);
-  if (found != self->state.sessions.end())
-    self->send(found->second.session, deliver{what.messages, what.work});
+  if (const auto* found = self->state.sessions.find(id))
+    self->send(found->session, deliver{what.messages, what.work});
   else if (!id.empty())
     take_further(self, id, what.messages, what.work);
   else
@@ -248,13 +235,12 @@ void pass_on(Self self, const forward& what) {
 void close(Self self, const close_session& what) {
   auto& state = self->state;
   if (!what.session.empty()) {
-    const auto found = state.sessions.find(what.session);
-    if (found != state.sessions.end())
-      self->send(found->second.session, end_session{what.work});
+    if (const auto* found = state.sessions.find(what.session))
+      self->send(found->session, end_session{what.work});
     return;
   }
   state.closing = true;
-  for (const auto& [id, entry] : state.sessions)
+  for (const auto& [number, entry] : state.sessions.all())
     self->send(entry.session, end_session{what.work});
 }
 
@@ -284,11 +270,11 @@ void end(Self self, const end_visit& what) {
     return;
   const auto seat = visit->second;
   state.seats.erase(what.name);
-  const auto session = session_at(state, seat);
-  if (session.empty())
+  const auto* session = state.sessions.at(seat);
+  if (!session)
     return dismiss(self, what.name, seat, what.work);
   state.closing_seats[seat.id()] = what.name;
-  self->send(state.sessions[session].session, end_session{what.work});
+  self->send(session->session, end_session{what.work});
 }
 
 // -- rest ---------------------------------------------------------------------
@@ -302,8 +288,8 @@ void look_later(Self self) {
 void send_to_rest(Self self) {
   auto& state = self->state;
   const auto idle = state.parts->program->settings.sessions.rest_after;
-  for (const auto& id : state.resting.next(state.sessions, idle))
-    self->send(state.sessions[id].session, rest_if_idle{idle});
+  for (const auto* entry : state.resting.next(state.sessions.all(), idle))
+    self->send(entry->session, rest_if_idle{idle});
   look_later(self);
 }
 
@@ -326,10 +312,10 @@ reload_promise reload(Self self, const reload_program& what) {
                   },
                   1});
   if (what.mode != ReloadMode::new_only) {
-    reloading->left += state.sessions.size();
+    reloading->left += state.sessions.all().size();
     const auto change =
         std::make_shared<const ProgramChange>(state.parts, what.mode);
-    for (const auto& [id, entry] : state.sessions)
+    for (const auto& [number, entry] : state.sessions.all())
       self->request(entry.session, caf::infinite,
                     change_program{change, what.work})
           .then(
@@ -348,6 +334,7 @@ std::vector<ActorHandle> visitors_of(const session_manager_state& state) {
   for (const auto& [name, seat] : state.visits)
     all.push_back(
         {seat_state::name, name, caf::actor_cast<caf::strong_actor_ptr>(seat)});
+  std::ranges::sort(all, {}, &ActorHandle::name);
   return all;
 }
 
@@ -359,6 +346,7 @@ session_manager_actor::behavior_type session_manager(
   parts.manager = session_manager_actor(self);
   self->state.parts = std::make_shared<const SessionParts>(std::move(parts));
   self->state.directory = directory;
+  self->state.sessions = OpenSessions(*directory);
   self->state.names = std::move(names);
   self->set_down_handler(
       [=](const caf::down_msg& down) { notice_loss(self, down); });
@@ -383,7 +371,7 @@ session_manager_actor::behavior_type session_manager(
         const auto& state = self->state;
         return tell_status(self, what,
                            {{},
-                            std::to_string(state.sessions.size()) +
+                            std::to_string(state.sessions.all().size()) +
                                 " sessions at " +
                                 std::to_string(state.seats.size()) + " seats",
                             state.last_error,

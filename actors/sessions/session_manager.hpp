@@ -6,15 +6,14 @@
 
 #include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
-#include "actors/routing/session_directory.hpp"
+#include "actors/sessions/open_sessions.hpp"
 #include "actors/sessions/rest_round.hpp"
 #include "actors/sessions/session_parts.hpp"
+#include "runtime/base/text/text_map.hpp"
 
 namespace parlour::actors {
 
@@ -25,19 +24,11 @@ struct SessionNames {
   std::function<std::uint64_t()> next_seed;
 };
 
-// The directory is what others see of `sessions`; both change together.
 struct session_manager_state {
   static inline const char* name = "session_manager";
-  struct Entry {
-    session_actor session;
-    seat_actor seat;
-    std::vector<Subscription> subscriptions = {};
-  };
-  std::map<SessionId, Entry> sessions; // a seat has one at a time
-  // By the ids of its actor and of its seat's.
-  std::unordered_map<caf::actor_id, SessionId> session_of;
-  std::map<std::string, seat_actor> seats;  // by name
-  std::map<std::string, seat_actor> visits; // those of them that come and go
+  OpenSessions sessions;
+  TextMap<seat_actor> seats;  // by name
+  TextMap<seat_actor> visits; // those of them that come and go
   // Those that leave when their session has ended, by the ids of their actors.
   std::unordered_map<caf::actor_id, std::string> closing_seats;
   // Those that ended last, and where: for turns that come too late for them.

@@ -73,8 +73,8 @@ public:
   }
 
   ~Bench() {
-    for (const auto& session : sessions.all())
-      caf::anon_send_exit(session, caf::exit_reason::kill);
+    for (const auto& one : sessions.all())
+      caf::anon_send_exit(one.session, caf::exit_reason::kill);
     for (const auto& actor : spawned_)
       caf::anon_send_exit(actor, caf::exit_reason::kill);
     run();

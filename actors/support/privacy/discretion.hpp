@@ -8,13 +8,13 @@
 
 #include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
 #include "actors/support/privacy/recent_secrets.hpp"
+#include "runtime/base/text/text_map.hpp"
 #include "runtime/message/inspection.hpp"
 #include "runtime/message/masking.hpp"
 
@@ -96,7 +96,7 @@ private:
   std::mutex showing_;       // taken before the other, and kept while showing
   mutable std::mutex mutex_; // of what follows
   SharedSecrets all_;        // those of all sessions
-  std::map<SessionId, Session> sessions_;
+  TextMap<Session> sessions_;
   std::deque<SessionId> ended_; // of which the secrets are still known
   RecentSecrets words_;         // of private turns
 };

@@ -4,12 +4,11 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
+#include "runtime/base/text/text_map.hpp"
 #include "runtime/message/masking.hpp"
 
 namespace parlour::actors {
@@ -33,16 +32,10 @@ private:
   // Most secrets are shorter, so that few begin alike.
   static constexpr std::size_t max_beginning = 32;
   using Alike = std::map<std::string, std::size_t, std::less<>>;
-  struct Hash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view text) const {
-      return std::hash<std::string_view>()(text);
-    }
-  };
 
   void collect(std::string_view beginning, Secrets& to) const;
 
-  std::unordered_map<std::string, Alike, Hash, std::equal_to<>> by_beginning_;
+  TextMap<Alike> by_beginning_;
   // How many beginnings there are of each length.
   std::array<std::size_t, max_beginning + 1> lengths_{};
 };

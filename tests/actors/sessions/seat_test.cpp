@@ -88,8 +88,7 @@ TEST(ConfiguredName, IsThatOfTheSettings) {
   Bench bench;
   const auto desk = bench.seat_probe();
   const auto visitor = bench.seat_probe();
-  const std::map<std::string, seat_actor> seats = {{"desk", desk},
-                                                   {"seat-1", visitor}};
+  const TextMap<seat_actor> seats = {{"desk", desk}, {"seat-1", visitor}};
   const std::vector<SeatSettings> configured = {{"hall"}, {"desk"}};
   EXPECT_EQ(configured_name(desk, seats, configured), "desk");
   EXPECT_EQ(configured_name(visitor, seats, configured), "");

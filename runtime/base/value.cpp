@@ -20,6 +20,7 @@ namespace {
 const Value unknown_value;
 
 constexpr std::size_t searched = 16; // entries; larger maps have a hash index
+constexpr std::size_t usual = 4;     // entries of most maps that are filled
 
 // Column names ignore the case of ASCII letters, as most databases do.
 bool same_text(std::string_view left, std::string_view right) {
@@ -88,6 +89,7 @@ bool is_numeric(const Value& value) {
 } // namespace
 
 Map::Map(std::initializer_list<Entry> entries) {
+  entries_.reserve(entries.size());
   for (const auto& entry : entries)
     set(entry.first, entry.second);
 }
@@ -149,6 +151,8 @@ void Map::set(std::string_view key, Value value) {
     entries_[at].second = std::move(value);
     return;
   }
+  if (entries_.empty())
+    entries_.reserve(usual);
   entries_.emplace_back(std::string(key), std::move(value));
   if (entries_.size() > searched && entries_.size() * 2 > index_.size())
     rebuild_index();

@@ -11,20 +11,64 @@ namespace {
 
 constexpr int deepest = 1000;
 
-Box list_of(Heap& heap, const List& values) {
-  auto box = make_list(heap, values.size());
-  for (const auto& value : values)
-    box.list()->elements.push_back(to_box(heap, value));
-  return box;
-}
+// Copies inwards. The heap's limit is not checked here; the machine does so
+// afterwards.
+class Importer {
+public:
+  // `constants` may be null.
+  Importer(Heap& heap, const ConstantPool* constants)
+      : heap_(heap), constants_(constants) {}
 
-// Keys become strings of their own; only constants are interned.
-Box map_of(Heap& heap, const Map& map) {
-  auto box = make_map(heap);
-  for (const auto& [key, value] : map.entries())
-    box.map()->set(make_string(heap, key), to_box(heap, value));
-  return box;
-}
+  // One value, and all below it.
+  Box take(const Value& value) const {
+    switch (value.type()) {
+    case ValueType::unknown:
+      return {};
+    case ValueType::boolean:
+      return Box::boolean(*value.if_boolean());
+    case ValueType::integer:
+      return make_integer(heap_, *value.if_integer());
+    case ValueType::number:
+      return Box::number(*value.if_number());
+    case ValueType::string:
+      return string(*value.if_string());
+    case ValueType::list:
+      return list(*value.if_list());
+    case ValueType::map:
+      return map(*value.if_map());
+    case ValueType::result:
+    case ValueType::binary:
+      return make_foreign(heap_, value);
+    }
+    return {};
+  }
+
+private:
+  Box string(std::string_view text) const {
+    if (constants_)
+      if (auto constant = constants_->find(text))
+        return *std::move(constant);
+    return make_string(heap_, text);
+  }
+
+  Box list(const List& values) const {
+    auto box = make_list(heap_, values.size());
+    for (const auto& value : values)
+      box.list()->elements.push_back(take(value));
+    return box;
+  }
+
+  Box map(const Map& map) const {
+    MapObject::Entries entries{HeapAllocator<MapObject::Entry>(&heap_)};
+    entries.reserve(map.size());
+    for (const auto& [key, value] : map.entries())
+      entries.push_back({string(key), take(value)});
+    return make_map(heap_, std::move(entries));
+  }
+
+  Heap& heap_;
+  const ConstantPool* constants_;
+};
 
 // Copies outwards. A small structure that shares parts can have an
 // exponentially large copy (each level holding the previous one twice), hence
@@ -142,28 +186,12 @@ private:
 
 } // namespace
 
-// The heap's limit is not checked here; the machine does so afterwards.
 Box to_box(Heap& heap, const Value& value) {
-  switch (value.type()) {
-  case ValueType::unknown:
-    return {};
-  case ValueType::boolean:
-    return Box::boolean(*value.if_boolean());
-  case ValueType::integer:
-    return make_integer(heap, *value.if_integer());
-  case ValueType::number:
-    return Box::number(*value.if_number());
-  case ValueType::string:
-    return make_string(heap, *value.if_string());
-  case ValueType::list:
-    return list_of(heap, *value.if_list());
-  case ValueType::map:
-    return map_of(heap, *value.if_map());
-  case ValueType::result:
-  case ValueType::binary:
-    return make_foreign(heap, value);
-  }
-  return {};
+  return Importer(heap, nullptr).take(value);
+}
+
+Box to_box(Heap& heap, const Value& value, const ConstantPool& constants) {
+  return Importer(heap, &constants).take(value);
 }
 
 Value to_value(const Box& box, WalkBudget& budget) {

@@ -17,6 +17,8 @@ namespace parlour::script {
 
 // Result sets and binaries are immutable and are shared, not copied.
 Box to_box(Heap& heap, const Value& value);
+// The same; texts that are constants of the program are shared, too.
+Box to_box(Heap& heap, const Value& value, const ConstantPool& constants);
 
 // Copies a value out of the interpreter. An error becomes a map of its fields.
 // Parts that are nested too deep, or for which the budget does not suffice,

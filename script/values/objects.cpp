@@ -193,12 +193,12 @@ Box make_list(Heap& heap, std::size_t reserve) {
   return Box::adopt(list);
 }
 
-Box make_map(Heap& heap) {
-  using Entries = decltype(MapObject::entries);
+Box make_map(Heap& heap, MapObject::Entries entries) {
   using Index = decltype(MapObject::index);
-  return Box::adopt(create<MapObject>(
-      heap, ObjectType::map, Entries(HeapAllocator<MapObject::Entry>(&heap)),
-      Index(HeapAllocator<std::uint32_t>(&heap))));
+  auto* map = create<MapObject>(heap, ObjectType::map, std::move(entries),
+                                Index(HeapAllocator<std::uint32_t>(&heap)));
+  map->rebuild_index();
+  return Box::adopt(map);
 }
 
 Box make_foreign(Heap& heap, const Value& value) {

@@ -124,7 +124,9 @@ struct MapObject : Object {
     Box key;
     Box value;
   };
-  std::vector<Entry, HeapAllocator<Entry>> entries;
+  using Entries = std::vector<Entry, HeapAllocator<Entry>>;
+
+  Entries entries;
   std::vector<std::uint32_t, HeapAllocator<std::uint32_t>> index;
   std::size_t found = 0; // the entry found last, which is often the next one
 
@@ -144,12 +146,13 @@ struct MapObject : Object {
   // Rebuilds the index with this number of places. Returns false if a key
   // occurs twice.
   bool rebuild_index(std::size_t places);
+  // The index that so many entries need.
+  void rebuild_index();
 
 private:
   Box* look_up(const StringObject& key);
   std::size_t position(std::string_view key, std::uint32_t hash,
                        const StringObject* same) const;
-  void rebuild_index();
 };
 
 // A result set or a binary: an immutable value of the runtime.
@@ -189,7 +192,11 @@ Box finish_string(StringObject* string, std::uint32_t code_points);
 // Small if the integer fits into 48 bits, else an object.
 Box make_integer(Heap& heap, std::int64_t value);
 Box make_list(Heap& heap, std::size_t reserve = 0);
-Box make_map(Heap& heap);
+Box make_map(Heap& heap, MapObject::Entries entries); // whose keys differ
+inline Box make_map(Heap& heap) {
+  return make_map(heap,
+                  MapObject::Entries(HeapAllocator<MapObject::Entry>(&heap)));
+}
 Box make_foreign(Heap& heap, const Value& value); // a result set or a binary
 Box make_error(Heap& heap, ErrorKind kind, std::string message,
                SourceLocation place);

@@ -118,10 +118,6 @@ bool Machine::raise_box(const Box& error_or_value) {
   return false;
 }
 
-bool Machine::check(Outcome outcome) {
-  return !outcome || raise(std::move(*outcome));
-}
-
 bool Machine::within_limits() {
   if (!heap_->over_limit()) [[likely]]
     return true;
@@ -295,7 +291,8 @@ Machine::Machine(std::shared_ptr<const Program> shared_program)
 
 // The heap's limit is checked after the next instruction that makes something.
 void Machine::make_initial(std::size_t index) {
-  variables[index] = to_box(*heap_, (*program->initial_values)[index]);
+  variables[index] =
+      to_box(*heap_, (*program->initial_values)[index], *program->pool);
 }
 
 // Arguments that are not given are marked as missing if the code has defaults.

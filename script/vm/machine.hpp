@@ -146,8 +146,10 @@ public:
   bool raise(ErrorKind kind, std::string message); // always false
   bool raise(Failure failure);
   bool raise_box(const Box& error_or_value);
-  bool check(Outcome outcome); // false: raised
-  bool within_limits();        // false: raised
+  bool check(Outcome outcome) { // false: raised
+    return !outcome || raise(std::move(*outcome));
+  }
+  bool within_limits(); // false: raised
   // Charges fuel for work beyond that of the instruction itself, in
   // instructions or by the price of WalkBudget. The slice may be overdrawn
   // here; the next loop or call then yields.

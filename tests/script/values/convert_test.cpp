@@ -17,6 +17,38 @@ TEST(Convert, BringsEveryValueThereAndBack) {
   EXPECT_EQ(to_value(to_box(heap, value)), value);
 }
 
+TEST(Convert, SharesTextsThatAreConstants) {
+  ConstantPool constants;
+  const auto written = constants.string("written");
+  Heap heap(nullptr, 1 << 20);
+  const Value value(Map{{"written", Value(List{"written", "computed"})}});
+  const auto box = to_box(heap, value, constants);
+  EXPECT_EQ(to_value(box), value);
+  const auto& entry = box.map()->entries.front();
+  EXPECT_TRUE(entry.key.same_bits(written));
+  EXPECT_TRUE(entry.value.list()->elements[0].same_bits(written));
+  EXPECT_FALSE(entry.value.list()->elements[1].string()->interned);
+}
+
+// As many as make an index, and fewer.
+TEST(Convert, FindsWhatIsInAMap) {
+  Heap heap(nullptr, 1 << 20);
+  for (const int size : {0, 8, 9, 100}) {
+    Map map;
+    for (int i = 0; i < size; ++i)
+      map.set("key " + std::to_string(i), i);
+    const auto box = to_box(heap, map);
+    for (int i = 0; i < size; ++i) {
+      const auto* found = box.map()->find("key " + std::to_string(i));
+      ASSERT_TRUE(found);
+      EXPECT_EQ(found->as_small(), i);
+    }
+    EXPECT_FALSE(box.map()->find("key"));
+    box.map()->set(make_string(heap, "key"), Box::boolean(true));
+    EXPECT_TRUE(box.map()->find("key"));
+  }
+}
+
 TEST(Convert, StopsWhereACopyWouldBeFarLargerThanTheStructure) {
   Heap heap(nullptr, 1 << 20);
   auto box = make_list(heap);

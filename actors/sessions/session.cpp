@@ -215,11 +215,12 @@ void begin(Self self) {
 // Where components have an instance for each session, what this one says to
 // them from its first word on is to find its own. The answer is awaited: no
 // other message is taken before the session has begun.
-void settle_and_begin(Self self, const SessionId& id, const InFlight& work) {
+void settle_and_begin(Self self, const InFlight& work) {
   const auto& parts = *self->state.parts;
   if (!parts.bus.table()->has_instances_by_session())
     return begin(self);
-  self->request(parts.supervisor, caf::infinite, session_begins{id, work})
+  self->request(parts.supervisor, caf::infinite,
+                session_begins{port_of(self).id(), work})
       .await([self, held = work](const session_settled&) { begin(self); },
              [=](const caf::error&) { begin(self); }); // the node stops
 }
@@ -237,12 +238,12 @@ void take_one_step(Self self) {
 
 // Messages are queued and not handled here: the conversation decides at its
 // next step which one is its turn (engine rule 3).
-void queue(Self self, const deliver& what) {
+void queue(Self self, deliver& what) {
   auto& state = self->state;
   if (state.meter.take(what.messages, state.parts->bus, what.arrived))
     port_of(self).turn_begins(state.meter.number());
-  for (const auto& message : what.messages)
-    take(self, dialogue::received(message));
+  for (auto& message : what.messages)
+    take(self, dialogue::received(std::move(message)));
   go_on(self);
 }
 
@@ -324,16 +325,14 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
   auto& state = self->state;
   state.parts = std::move(parts);
   state.time = &state.parts->time;
-  auto make_port = [self, id = order.id, seat = std::move(order.seat)] {
-    return std::make_unique<SessionPort>(
-        self, self->state.parts, id, seat,
-        [self](const auto& frame, auto request) {
-          ask_frame(self, frame, std::move(request));
-        },
-        [self](auto query, auto outcome) {
-          hear_component(self, query, std::move(outcome));
-        });
-  };
+  auto port = std::make_unique<SessionPort>(
+      self, state.parts, order.id, std::move(order.seat),
+      [self](const auto& frame, auto request) {
+        ask_frame(self, frame, std::move(request));
+      },
+      [self](auto query, auto outcome) {
+        hear_component(self, query, std::move(outcome));
+      });
   auto when_written = [self](std::uint64_t record) -> std::function<void()> {
     return [record, time = self->state.time, session = session_actor(self)] {
       time->main_thread.post([=, work = time->work.begin()] {
@@ -348,7 +347,7 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
       state.parts->program,
       dialogue::ConversationOptions{std::move(order.id), order.seed,
                                     state.parts->phrases, order.seat_name},
-      std::move(make_port),
+      std::move(port),
       JournalUse{state.parts->journal, state.parts->strict_journal,
                  std::move(when_written)},
       state.saved.get());
@@ -365,12 +364,11 @@ session_actor::behavior_type
 session(session_actor::stateful_pointer<session_state> self,
         std::shared_ptr<const SessionParts> parts, SessionOrder order) {
   end_by_what_is_thrown(self);
-  const auto id = order.id;
   set_up(self, std::move(parts), std::move(order));
   return traced<session_actor::behavior_type>(
       trace_of(self),
-      [=](const begin_session& what) { settle_and_begin(self, id, what.work); },
-      [=](const deliver& what) { queue(self, what); },
+      [=](const begin_session& what) { settle_and_begin(self, what.work); },
+      [=](deliver& what) { queue(self, what); },
       [=](const take_step&) { take_one_step(self); },
       [=](const timer_due& what) { hear_timer(self, what); },
       [=](const wake_up&) { port_of(self).wake(); },

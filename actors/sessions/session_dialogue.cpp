@@ -19,11 +19,11 @@ constexpr std::uint64_t inputs_between_states = 1'000;
 
 SessionDialogue::SessionDialogue(std::shared_ptr<const script::Program> program,
                                  dialogue::ConversationOptions options,
-                                 MakePort make_port, JournalUse kept,
+                                 std::unique_ptr<SessionPort> port,
+                                 JournalUse kept,
                                  const dialogue::SavedSession* saved)
     : program_(std::move(program)), options_(std::move(options)),
-      make_port_(std::move(make_port)), kept_(std::move(kept)),
-      port_(make_port_()) {
+      kept_(std::move(kept)), port_(std::move(port)) {
   if (saved) {
     conversation_ = dialogue::Conversation::restore(program_, options_,
                                                     seen(*port_), saved->state)
@@ -169,7 +169,7 @@ void SessionDialogue::wake() {
 Expected<void> SessionDialogue::renew(Timestamp now) {
   const bool keeps_port =
       conversation_->expects_outcome() || !port_->effects().none();
-  auto port = keeps_port ? nullptr : make_port_();
+  auto port = keeps_port ? nullptr : port_->another();
   // The recording port of the conversation before lives as long as that one.
   auto recording = std::move(recording_);
   auto next = dialogue::Conversation::restore(program_, options_,

@@ -33,13 +33,11 @@ struct JournalUse {
 // which a replay or a recovery begins (engine rule 7.10).
 class SessionDialogue {
 public:
-  using MakePort = std::function<std::unique_ptr<SessionPort>()>;
-
   // A session that begins, or with `saved` one that goes on, whose first input
   // is Resumed. `saved` can be restored.
   SessionDialogue(std::shared_ptr<const script::Program> program,
-                  dialogue::ConversationOptions options, MakePort make_port,
-                  JournalUse kept = {},
+                  dialogue::ConversationOptions options,
+                  std::unique_ptr<SessionPort> port, JournalUse kept = {},
                   const dialogue::SavedSession* saved = {});
 
   // The only way into the conversation.
@@ -127,7 +125,6 @@ private:
 
   std::shared_ptr<const script::Program> program_;
   dialogue::ConversationOptions options_;
-  const MakePort make_port_;
   const JournalUse kept_;
   std::uint64_t inputs_ = 0;          // that it has taken
   std::uint64_t inputs_in_state_ = 0; // those that the last state knows

@@ -22,7 +22,7 @@ SessionPort::SessionPort(session_actor::pointer self,
       ask_frame_(std::move(ask_frame)),
       component_done_(std::move(component_done)),
       effects_(parts_->strict_journal), alarm_(self_, time_, bus_),
-      sockets_(time_, parts_->sockets, session_actor(self_), id_) {}
+      sockets_(time_, parts_->sockets, session_actor(self_)) {}
 
 // At once, where nothing has to wait for the journal.
 template <class Effect>
@@ -272,7 +272,7 @@ void SessionPort::socket_is_over(dialogue::SocketId id) {
 std::vector<Message> SessionPort::hear_socket(dialogue::SocketId id,
                                               const SocketEvent& event) {
   std::vector<Message> messages;
-  if (auto message = sockets_.message(id, event))
+  if (auto message = sockets_.message(id, event, id_))
     messages = bus_.route(std::move(*message), *this);
   // A text that the routes ended is dealt with.
   const bool goes_on =

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 
 #include "actors/sessions/held_effects.hpp"
 #include "actors/sessions/session_alarm.hpp"
@@ -35,6 +36,11 @@ public:
               seat_actor seat, AskFrame ask_frame = {},
               ComponentDone component_done = {});
   ~SessionPort() override; // ends whatever still works for the session
+  // For the same session; nothing works for it yet.
+  std::unique_ptr<SessionPort> another() const {
+    return std::make_unique<SessionPort>(self_, parts_, id_, seat_, ask_frame_,
+                                         component_done_);
+  }
 
   // Returned is what this session gets of it at once: the message itself where
   // no sink takes it, and the answers of inline components.

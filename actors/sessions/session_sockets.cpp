@@ -25,10 +25,9 @@ Sockets::Tell teller(NodeTime& time, caf::weak_actor_ptr session,
 } // namespace
 
 SessionSockets::SessionSockets(NodeTime& time, std::shared_ptr<Sockets> network,
-                               const session_actor& session, SessionId id)
+                               const session_actor& session)
     : time_(time), network_(std::move(network)),
-      session_(caf::actor_cast<caf::weak_actor_ptr>(session)),
-      id_(std::move(id)) {}
+      session_(caf::actor_cast<caf::weak_actor_ptr>(session)) {}
 
 void SessionSockets::close_all() {
   for (const auto& [id, socket] : std::exchange(sockets_, {}))
@@ -71,7 +70,8 @@ void SessionSockets::forget(dialogue::SocketId id) {
 // A text comes as the event Data of a source with the socket's name, the end as
 // Closed with the reason.
 std::optional<Message> SessionSockets::message(dialogue::SocketId id,
-                                               const SocketEvent& event) const {
+                                               const SocketEvent& event,
+                                               const SessionId& session) const {
   const auto found = sockets_.find(id);
   if (found == sockets_.end())
     return {};
@@ -79,7 +79,7 @@ std::optional<Message> SessionSockets::message(dialogue::SocketId id,
   message.source = found->second.name;
   message.command = event.kind == SocketEvent::Kind::closed ? "Closed" : "Data";
   message.params = {event.text};
-  message.session = id_;
+  message.session = session;
   return message;
 }
 

@@ -22,7 +22,7 @@ class SessionSockets {
 public:
   // `network` may be null: this run has none.
   SessionSockets(NodeTime& time, std::shared_ptr<Sockets> network,
-                 const session_actor& session, SessionId id);
+                 const session_actor& session);
   SessionSockets(const SessionSockets&) = delete;
   SessionSockets& operator=(const SessionSockets&) = delete;
   ~SessionSockets() {
@@ -39,10 +39,11 @@ public:
   void close(dialogue::SocketId id);
   void close_all();
 
-  // What was told as a message from the socket; nothing where it was closed
-  // meanwhile.
+  // What was told as a message from the socket to this session; nothing where
+  // it was closed meanwhile.
   std::optional<Message> message(dialogue::SocketId id,
-                                 const SocketEvent& event) const;
+                                 const SocketEvent& event,
+                                 const SessionId& session) const;
   // It is over by itself.
   void forget(dialogue::SocketId id);
 
@@ -55,7 +56,6 @@ private:
   NodeTime& time_;
   const std::shared_ptr<Sockets> network_;
   const caf::weak_actor_ptr session_; // weak: its actor holds this
-  const SessionId id_;
   std::map<dialogue::SocketId, Socket> sockets_;
 };
 

@@ -23,6 +23,7 @@ auto find_next(Inputs& inputs, Inbox::Of whom) {
 
 void Inbox::receive(Input&& input) {
   received_ = std::max(received_, input.message->number);
+  has_received_ = true;
   turns_.hold(input.turn);
   messages_.push_back(std::move(input));
 }

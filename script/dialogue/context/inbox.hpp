@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "script/dialogue/agenda/turns.hpp"
 #include "script/dialogue/context/input.hpp"
@@ -37,9 +38,11 @@ public:
   std::optional<Input> take_message(Of whom);
   // All, without their turns: for another conversation.
   Fifo<Input> take_unread();
-  // The number of the last that was received.
-  std::uint64_t received() const {
-    return received_;
+  // The number of the last that was received; nothing where none has come since
+  // it was asked for.
+  std::optional<std::uint64_t> take_received() {
+    return std::exchange(has_received_, false) ? std::optional(received_)
+                                               : std::nullopt;
   }
   // Those to come are numbered by another message centre, whose numbers may be
   // lower.
@@ -99,7 +102,8 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(turns_);
+    // Who saves need not know what was asked for: to tell it twice is no harm.
+    archive.without(turns_, has_received_);
     archive(messages_, internal_, dropped_, internal_count_, rounds_, received_,
             is_told_);
   }
@@ -112,6 +116,7 @@ private:
   int internal_count_ = 0; // since the last external event
   std::uint32_t rounds_ = 0;
   std::uint64_t received_ = 0;
+  bool has_received_ = true;
   bool is_told_ = false; // that there were too many
 };
 

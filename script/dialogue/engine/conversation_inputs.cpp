@@ -320,7 +320,8 @@ void ConversationImplementation::go_on() {
   heard_grammar.tell();
   if (!context.turns.any_open(context.now) &&
       !inbox.has_message(Inbox::Of::all))
-    context.privacy.settle(inbox.received());
+    if (const auto received = inbox.take_received())
+      context.privacy.settle(*received);
   if (context.ending.is_wished() && !topics.awaiting_frame() &&
       !output.wants_release() && output.all_released())
     close();

@@ -33,7 +33,8 @@ struct InboxTest : testing::Test {
 TEST_F(InboxTest, MessagesComeInTheOrderOfTheirArrival) {
   inbox.receive(input("one"));
   inbox.receive(input("two"));
-  EXPECT_EQ(inbox.received(), last);
+  EXPECT_EQ(inbox.take_received(), last);
+  EXPECT_FALSE(inbox.take_received()); // none since
   EXPECT_EQ(next(), "one");
   EXPECT_EQ(next(), "two");
   EXPECT_EQ(next(), "nothing");

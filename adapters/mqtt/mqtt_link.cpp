@@ -85,8 +85,10 @@ void MQTTLink::ready(short events) {
 void MQTTLink::rung() {
   if (phase_ == Phase::pausing)
     return attempt();
-  if (phase_ == Phase::up)
+  if (phase_ == Phase::up) {
+    tend_later();
     return went_on(client_->tend());
+  }
   if (Steady::now() >= deadline_)
     lose("it takes too long to connect");
 }
@@ -95,6 +97,7 @@ void MQTTLink::went_on(const Expected<void>& outcome) {
   if (outcome && client_->is_up() && phase_ == Phase::connecting) {
     phase_ = Phase::up;
     up_since_ = Steady::now();
+    tend_later();
     calls_.up();
   }
   // Whatever came before a loss counts.
@@ -122,8 +125,12 @@ void MQTTLink::wait() {
     watch_.stop();
   watched_ = client_->socket();
   watch_.await(watched_, client_->interest());
-  alarm_.set(phase_ == Phase::up ? Steady::now() + care(options_.keep_alive)
-                                 : deadline_);
+  alarm_.set(phase_ == Phase::up ? tend_at_ : deadline_);
+}
+
+// Not put off by what arrives: the server hears of us only by what we send.
+void MQTTLink::tend_later() {
+  tend_at_ = Steady::now() + care(options_.keep_alive);
 }
 
 // Tickets without a receipt are forgotten: the requests fail by `down`.

@@ -73,6 +73,7 @@ private:
   void connect();
   void ready(short events);
   void rung();
+  void tend_later();
   void went_on(const Expected<void>& outcome);
   void hand_over();
   void wait();
@@ -88,6 +89,7 @@ private:
   Milliseconds pause_;
   Moment up_since_{};
   Moment deadline_ = Moment::max();
+  Moment tend_at_ = Moment::max();          // of a link that is up
   std::unordered_map<int, Ticket> tickets_; // by the library's number
   std::unique_ptr<MQTTClient> client_;
   Watch watch_;

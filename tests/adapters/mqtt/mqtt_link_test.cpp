@@ -9,6 +9,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 const std::string welcome("\x20\x02\x00\x00", 4);
+const std::string ping("\xc0\x00", 2);
 
 // A message of the server, quality of service 0.
 std::string publication(const std::string& topic, const std::string& payload) {
@@ -197,6 +198,19 @@ TEST_F(MQTTLinkTest, BearsAServerThatDoesNotRead) {
     refused += answer == "Failed Too many wait for the devices." ? 1 : 0;
   }
   EXPECT_GE(refused, 1'000);
+}
+
+// Devices report without a pause, and nobody has an order: the server has to
+// hear all the same that the link lives. Five seconds are the library's least.
+TEST_F(MQTTLinkTest, SaysThatItIsThereWhileDevicesReport) {
+  begin({{"keep-alive", "5s"}});
+  let_in();
+  std::string heard;
+  for (int i = 0; i < 40 && !heard.ends_with(ping); ++i) {
+    listener.send(publication("meter", "1"));
+    heard += listener.receive_within(Milliseconds(500));
+  }
+  EXPECT_TRUE(heard.ends_with(ping));
 }
 
 TEST_F(MQTTLinkTest, StopsInAnyPhase) {

@@ -2,12 +2,15 @@
 // drives it; all calls block.
 #pragma once
 
+#include <algorithm>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -58,6 +61,16 @@ public:
       have += static_cast<std::size_t>(got);
     }
     text.resize(have);
+    return text;
+  }
+  // What comes within this time; empty: nothing.
+  std::string receive_within(std::chrono::milliseconds time) {
+    pollfd waits{connected_, POLLIN, 0};
+    if (poll(&waits, 1, static_cast<int>(time.count())) <= 0)
+      return {};
+    std::string text(4'096, '\0');
+    const auto got = recv(connected_, text.data(), text.size(), 0);
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     return text;
   }
   void send(const std::string& text) {

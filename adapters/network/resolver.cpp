@@ -3,6 +3,7 @@
 #include <cstring>
 #include <deque>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -15,6 +16,10 @@ namespace {
 
 // How many names are looked up at the same time; others wait.
 constexpr int max_threads = 4;
+
+void start_detached(std::function<void()> work) {
+  std::thread(std::move(work)).detach();
+}
 
 } // namespace
 
@@ -43,6 +48,16 @@ struct Resolver::State {
     return true;
   }
 
+  // With the lock held. Where others run, one of them will take the task.
+  void no_thread(const std::string& reason) {
+    if (--threads > 0)
+      return;
+    const auto task = std::move(tasks.back());
+    tasks.pop_back();
+    task.done(fail(ErrorKind::limit, "no thread can look up the host '" +
+                                         task.address.host + "': " + reason));
+  }
+
   // Calls back under the lock, so that nothing is called once the destructor
   // has returned.
   void tell(const Task& task, Endpoints found) {
@@ -52,7 +67,11 @@ struct Resolver::State {
   }
 };
 
-Resolver::Resolver() : state_(std::make_shared<State>()) {}
+Resolver::Resolver() : Resolver(start_detached) {}
+
+Resolver::Resolver(StartThread start_thread)
+    : start_thread_(std::move(start_thread)),
+      state_(std::make_shared<State>()) {}
 
 Resolver::~Resolver() {
   std::lock_guard lock(state_->mutex);
@@ -67,10 +86,14 @@ void Resolver::resolve(Address address, Done done) {
     return;
   // Threads are started on demand and end when there is no task for them.
   ++state_->threads;
-  std::thread([state = state_] {
-    for (State::Task task; state->take(task);)
-      state->tell(task, resolve_now(task.address));
-  }).detach();
+  try {
+    start_thread_([state = state_] {
+      for (State::Task task; state->take(task);)
+        state->tell(task, resolve_now(task.address));
+    });
+  } catch (const std::system_error& error) {
+    state_->no_thread(error.code().message());
+  }
 }
 
 // AF_UNSPEC asks for IPv4 and IPv6 addresses; the system sorts them.

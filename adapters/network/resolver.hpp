@@ -19,18 +19,24 @@ using Endpoints = Expected<std::vector<Endpoint>>;
 class Resolver {
 public:
   using Done = std::function<void(Endpoints)>;
+  // Runs it on a thread that nobody waits for. Throws std::system_error where
+  // the system has none left.
+  using StartThread = std::function<void(std::function<void()>)>;
 
   Resolver();
+  explicit Resolver(StartThread start_thread);
   Resolver(const Resolver&) = delete;
   Resolver& operator=(const Resolver&) = delete;
   ~Resolver();
 
   // Calls `done` once, from another thread, unless the resolver is destroyed
-  // first. `done` must not call the resolver, whose lock is held.
+  // first; where no thread can be started it is called at once, with an error
+  // of the kind `limit`. `done` must not call the resolver, whose lock is held.
   void resolve(Address address, Done done);
 
 private:
   struct State;
+  const StartThread start_thread_;
   std::shared_ptr<State> state_;
 };
 

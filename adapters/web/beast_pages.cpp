@@ -1,7 +1,6 @@
 // Pages by Boost.Beast.
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <memory>
 #include <string>
 #include <thread>
@@ -181,8 +180,9 @@ private:
 // before it starts.
 class BeastPages : public PageServer {
 public:
-  explicit BeastPages(PageServerOptions options)
-      : options_(std::move(options)), acceptor_(context_), pause_(context_) {}
+  BeastPages(PageServerOptions options, Thrown thrown)
+      : options_(std::move(options)), thrown_(std::move(thrown)),
+        acceptor_(context_), pause_(context_) {}
 
   Expected<void> listen() {
     ErrorCode error;
@@ -202,12 +202,7 @@ public:
                       std::to_string(options_.port) + ": " + error.message());
     address_ = text_of(acceptor_.local_endpoint());
     accept();
-    thread_ = std::thread([this] {
-      sigset_t all;
-      sigfillset(&all);
-      pthread_sigmask(SIG_BLOCK, &all, nullptr); // other threads handle them
-      context_.run();
-    });
+    thread_ = std::thread([this] { run_until_done(context_, thrown_); });
     return {};
   }
 
@@ -255,6 +250,7 @@ private:
   }
 
   const PageServerOptions options_;
+  const Thrown thrown_;
   net::io_context context_{1};
   PageAcceptor acceptor_;
   Timer pause_;
@@ -266,8 +262,9 @@ private:
 } // namespace
 
 Expected<std::unique_ptr<PageServer>>
-PageServer::start(PageServerOptions options) {
-  auto server = std::make_unique<BeastPages>(std::move(options));
+PageServer::start(PageServerOptions options, Thrown thrown) {
+  auto server =
+      std::make_unique<BeastPages>(std::move(options), std::move(thrown));
   if (auto listening = server->listen(); !listening)
     return tl::make_unexpected(listening.error());
   return server;

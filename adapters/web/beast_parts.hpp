@@ -6,6 +6,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include <boost/asio/basic_stream_socket.hpp>
 #include <boost/asio/basic_waitable_timer.hpp>
@@ -30,6 +31,12 @@ using Timer =
 
 // "127.0.0.1:4000".
 std::string text_of(const tcp::endpoint& end);
+
+// A server's thread: runs the context until nothing is left to do, with all
+// signals left to other threads. What a handler throws is told, and the others
+// go on.
+void run_until_done(net::io_context& context,
+                    const std::function<void(const std::string&)>& thrown);
 
 // Lines and frames have one class each (beast_lines.cpp, beast_frames.cpp).
 // Each handler of asio holds the visit, so that it lives until the last one has

@@ -22,6 +22,23 @@ std::string text_of(const tcp::endpoint& end) {
          std::to_string(end.port());
 }
 
+// asio passes on what a handler throws, and can be run again then.
+void run_until_done(net::io_context& context,
+                    const std::function<void(const std::string&)>& thrown) {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  for (;;)
+    try {
+      context.run();
+      return;
+    } catch (const std::exception& error) {
+      thrown(error.what());
+    } catch (...) {
+      thrown("an exception of an unknown type");
+    }
+}
+
 namespace {
 
 using Acceptor = net::basic_socket_acceptor<tcp, Executor>;
@@ -71,7 +88,7 @@ public:
     options_.left = {};
     await_expiry();
     accept();
-    thread_ = std::thread([this] { work(); });
+    thread_ = std::thread([this] { run_until_done(context_, thrown_); });
     return {};
   }
 
@@ -143,20 +160,6 @@ private:
       for (auto& one : all)
         one(*this);
     });
-  }
-
-  // asio passes on what a handler throws, and can be run again then.
-  void work() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, nullptr); // other threads handle them
-    for (;;)
-      try {
-        context_.run();
-        return;
-      } catch (const std::exception& error) {
-        thrown_(error.what());
-      }
   }
 
   // -- connections ------------------------------------------------------------

@@ -35,9 +35,14 @@ struct PageServerOptions {
 // (docs/operations.md). GET and HEAD only; no request has a body.
 class PageServer {
 public:
+  // Gets what() of an exception, on the server's thread.
+  using Thrown = std::function<void(const std::string& what)>;
+
   // The error says why nothing can be heard there, or that this program was
-  // built without it. What a page throws is answered by the status 500.
-  static Expected<std::unique_ptr<PageServer>> start(PageServerOptions options);
+  // built without it. A std::exception of a page is answered by the status 500;
+  // of any other, and of the server's own, `thrown` is told.
+  static Expected<std::unique_ptr<PageServer>> start(PageServerOptions options,
+                                                     Thrown thrown);
   // Waits for a page that is being made.
   virtual ~PageServer() = default;
 

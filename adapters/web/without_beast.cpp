@@ -17,7 +17,8 @@ Expected<std::unique_ptr<TextServer>> TextServer::start(ServerOptions, Host&,
   return fail(ErrorKind::settings, missing);
 }
 
-Expected<std::unique_ptr<PageServer>> PageServer::start(PageServerOptions) {
+Expected<std::unique_ptr<PageServer>> PageServer::start(PageServerOptions,
+                                                        Thrown) {
   return fail(ErrorKind::settings, missing);
 }
 

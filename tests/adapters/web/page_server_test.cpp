@@ -30,7 +30,8 @@ protected:
     };
   }
   void start() {
-    auto started = PageServer::start(options);
+    auto started = PageServer::start(
+        options, [this](const std::string& what) { thrown.push_back(what); });
     ASSERT_TRUE(started) << started.error().message;
     server = std::move(*started);
   }
@@ -46,6 +47,7 @@ protected:
 
   std::atomic<bool> is_well = true;
   PageServerOptions options;
+  std::vector<std::string> thrown; // looked at when the server has ended
   std::unique_ptr<PageServer> server;
 };
 
@@ -70,6 +72,22 @@ TEST_F(PageServerTest, WhatIsNotWellHasAStatusThatSaysSo) {
               AllOf(StartsWith("HTTP/1.1 503 "), EndsWith("so so\n")));
   EXPECT_THAT(get("/broken"),
               AllOf(StartsWith("HTTP/1.1 500 "), EndsWith("no numbers\n")));
+}
+
+// Its visitor is left without an answer; the others are served.
+TEST_F(PageServerTest, OutlivesWhateverIsThrown) {
+  std::promise<void> begins;
+  options.pages["/mad"] = [&]() -> Page {
+    begins.set_value();
+    throw 42;
+  };
+  start();
+  parlour::test::Client mad(server->address());
+  mad.send("GET /mad HTTP/1.1\r\n\r\n");
+  begins.get_future().wait();
+  EXPECT_THAT(get("/health"), StartsWith("HTTP/1.1 200 "));
+  server.reset();
+  EXPECT_THAT(thrown, testing::ElementsAre("an exception of an unknown type"));
 }
 
 TEST_F(PageServerTest, RefusesWhatIsNoRequestForAPage) {
@@ -136,12 +154,12 @@ TEST_F(PageServerTest, SaysWhyItCannotListen) {
   PageServerOptions same;
   same.port = static_cast<std::uint16_t>(
       std::stoi(server->address().substr(server->address().rfind(':') + 1)));
-  const auto second = PageServer::start(same);
+  const auto second = PageServer::start(same, {});
   ASSERT_FALSE(second);
   EXPECT_THAT(second.error().message, HasSubstr("in use"));
   PageServerOptions nowhere;
   nowhere.address = "nowhere";
-  EXPECT_FALSE(PageServer::start(nowhere));
+  EXPECT_FALSE(PageServer::start(nowhere, {}));
 }
 
 } // namespace

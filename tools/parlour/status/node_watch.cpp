@@ -85,11 +85,13 @@ Expected<void> NodeWatch::serve(const std::filesystem::path& sockets,
         to_string(served.error()));
   if (!pages)
     return {};
-  return serve_pages(*pages).map(
-      [&](const std::string& where) { note("metrics at " + where); });
+  return serve_pages(*pages, log).map([&](const std::string& where) {
+    note("metrics at " + where);
+  });
 }
 
-Expected<std::string> NodeWatch::serve_pages(const HostAndPort& address) {
+Expected<std::string> NodeWatch::serve_pages(const HostAndPort& address,
+                                             const Tell& log) {
   web::PageServerOptions options;
   options.address = address.host;
   options.port = address.port;
@@ -98,7 +100,9 @@ Expected<std::string> NodeWatch::serve_pages(const HostAndPort& address) {
                      web::metrics_content_type};
   };
   options.pages["/health"] = [this] { return health(); };
-  auto server = web::PageServer::start(std::move(options));
+  auto server = web::PageServer::start(
+      std::move(options),
+      [log](const std::string& what) { log("error: " + what); });
   if (!server)
     return tl::make_unexpected(server.error());
   pages_ = std::move(*server);

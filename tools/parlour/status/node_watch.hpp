@@ -41,11 +41,13 @@ public:
                std::function<Metrics()> more = {});
   // For this user's own commands. The error says why they cannot ask.
   Expected<void> serve_commands(const std::filesystem::path& sockets);
-  // Pages over HTTP: /metrics and /health. Returned is where: an URL.
-  Expected<std::string> serve_pages(const HostAndPort& address);
+  using Tell = std::function<void(const std::string& line)>;
+  // Pages over HTTP: /metrics and /health. Returned is where: an URL. `log` is
+  // told of trouble, on the pages' thread.
+  Expected<std::string> serve_pages(const HostAndPort& address,
+                                    const Tell& log);
   // Both: pages only if an address is given, and then they have to be possible.
   // `log` is told why commands cannot ask, `note` where the pages are.
-  using Tell = std::function<void(const std::string& line)>;
   Expected<void> serve(const std::filesystem::path& sockets,
                        const std::optional<HostAndPort>& pages, const Tell& log,
                        const Tell& note);

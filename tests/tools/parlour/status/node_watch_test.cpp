@@ -59,7 +59,7 @@ protected:
 };
 
 TEST_F(NodeWatchTest, TellsPrometheusAndWhetherItIsWell) {
-  const auto where = watch.serve_pages({"127.0.0.1", 0});
+  const auto where = watch.serve_pages({"127.0.0.1", 0}, {});
   ASSERT_TRUE(where) << to_string(where.error());
   node->enter(seat, {"hello"});
   node->run_until_quiet();
@@ -71,7 +71,7 @@ TEST_F(NodeWatchTest, TellsPrometheusAndWhetherItIsWell) {
                     HasSubstr("\nprocess_resident_memory_bytes ")));
   EXPECT_THAT(get(where->substr(0, where->rfind('/')) + "/health"),
               AllOf(StartsWith("HTTP/1.1 200 "), EndsWith("well\n")));
-  EXPECT_FALSE(watch.serve_pages({"nowhere", 0}));
+  EXPECT_FALSE(watch.serve_pages({"nowhere", 0}, {}));
 }
 
 TEST_F(NodeWatchTest, AnswersTheCommandsOfItsUser) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "adapters/nlu/text/letter_groups.hpp"
 #include "runtime/text/edit_distance.hpp"
@@ -43,7 +44,7 @@ constexpr LetterGroups groups(std::to_array<LetterGroup>(
      {"uh", "u"},    {"ah", "a"},    {"oh", "o"},   {"eh", "e"},
      {"ih", "i"},    {"er", "er"}}));
 
-bool is_vowel(char phone) {
+constexpr bool is_vowel(char phone) {
   constexpr LetterSet vowels("aeiou");
   return vowels.contains(phone);
 }
@@ -139,6 +140,9 @@ constexpr Pair pairs[] = {
     {'e', 'i', 0.4F},  {'o', 'u', 0.35F}, {'i', 'u', 0.65F}, {'e', 'u', 0.5F},
     {'e', 'o', 0.6F},  {'a', 'i', 0.6F},  {'i', 'o', 0.65F}};
 
+// A vowel too many beside another one.
+constexpr float between_vowels = 0.3F;
+
 constexpr std::size_t letters = 128;
 
 struct Costs {
@@ -168,6 +172,51 @@ struct Costs {
 
 constexpr Costs costs;
 
+// -- at most how alike --------------------------------------------------------
+
+constexpr std::string_view all_phones = "abcdefghijklmnopqrstuvwxyzSCN";
+
+constexpr std::uint32_t bit_of(char phone) {
+  return std::uint32_t{1} << all_phones.find(phone);
+}
+
+// What a sound costs at least that the other word lacks: in the place of
+// another one like it, or else.
+struct Lack {
+  std::uint32_t relatives = 0;
+  float beside_relative = 1;
+  float alone = 1;
+};
+
+constexpr auto lacks = [] {
+  std::array<Lack, all_phones.size()> made;
+  for (std::size_t at = 0; at < made.size(); ++at) {
+    auto& lack = made[at];
+    const auto index = Costs::index(all_phones[at]);
+    lack.alone = is_vowel(all_phones[at]) ? between_vowels : costs.extra[index];
+    lack.beside_relative = lack.alone;
+    for (const char other : all_phones) {
+      const auto cost = costs.change[index][Costs::index(other)];
+      if (other == all_phones[at] || cost >= lack.alone)
+        continue;
+      lack.relatives |= bit_of(other);
+      lack.beside_relative = std::min(lack.beside_relative, cost);
+    }
+  }
+  return made;
+}();
+
+// What it costs at least that `other` lacks sounds of `word`.
+float cost_of_lacks(std::uint32_t word, std::uint32_t other) {
+  float cost = 0;
+  for (auto lacking = word & ~other; lacking != 0; lacking &= lacking - 1) {
+    const auto& lack =
+        lacks[static_cast<std::size_t>(std::countr_zero(lacking))];
+    cost += (lack.relatives & other) != 0 ? lack.beside_relative : lack.alone;
+  }
+  return cost;
+}
+
 // At the beginning of a word a sound too many is another word: "alvin" is not
 // "kelvin".
 struct PhoneCosts {
@@ -181,7 +230,7 @@ struct PhoneCosts {
     const auto cost = costs.extra[Costs::index(phone)];
     if (before == '\0')
       return cost < 1 ? cost + 0.15F : 1.3F;
-    return is_vowel(phone) && is_vowel(before) ? 0.3F : cost;
+    return is_vowel(phone) && is_vowel(before) ? between_vowels : cost;
   }
 };
 
@@ -232,6 +281,22 @@ double sounds_alike(std::string_view left, std::string_view right,
   if (left == right)
     return 1;
   return edit_similarity<longest, PhoneCosts>(left, right, least);
+}
+
+std::uint32_t sounds_in(std::string_view phones) {
+  std::uint32_t all = 0;
+  for (const char phone : phones.substr(0, longest))
+    all |= bit_of(phone);
+  return all;
+}
+
+double sounds_alike_at_most(std::uint32_t left, std::uint32_t right,
+                            std::size_t length) {
+  constexpr double tolerance = 1e-4; // distances are sums of decimals
+  const auto cost =
+      std::max(cost_of_lacks(left, right), cost_of_lacks(right, left));
+  return 1 - (double(cost) - tolerance) /
+                 static_cast<double>(std::min(length, longest));
 }
 
 std::string outline_of(std::string_view phones) {

@@ -3,6 +3,8 @@
 // are written: "zhang" and "jang", "xiu" and "shew", "hui" and "hooey".
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,14 @@ std::string phones_of(std::string_view word);
 // Only the first 32 sounds count. `least` is as in similarity().
 double sounds_alike(std::string_view left, std::string_view right,
                     double least = 0);
+
+// A bit for each sound that these have.
+std::uint32_t sounds_in(std::string_view phones);
+
+// The most that two words can sound alike, the longer of which has this many
+// sounds, by which sounds each of them has.
+double sounds_alike_at_most(std::uint32_t left, std::uint32_t right,
+                            std::size_t length);
 
 // The kinds of consonants of these sounds, without vowels and without sounds
 // that come and go (h, w, y): equal for words that may be written for each

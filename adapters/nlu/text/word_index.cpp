@@ -81,26 +81,6 @@ std::uint64_t with_length(std::uint32_t key, std::size_t length) {
   return std::uint64_t(length) << 32 | key;
 }
 
-// The keys of a word, sorted and without duplicates: its trigrams, with its
-// ends marked by ^ and $, and its sound.
-std::vector<std::uint32_t> keys_of(const std::string& word,
-                                   const std::string& sound,
-                                   const std::string& phones) {
-  const auto padded = '^' + word + '$';
-  std::vector<std::uint32_t> keys;
-  for (std::size_t position = 0; position + 3 <= padded.size(); ++position)
-    keys.push_back(trigram(padded, position));
-  if (!word.empty() && word.size() <= longest_short)
-    add_keys_of_short(word, keys);
-  if (sound.size() > 1)
-    keys.push_back(key_of_sound(sound));
-  if (!phones.empty())
-    keys.push_back(key_of_phones(phones));
-  std::ranges::sort(keys);
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  return keys;
-}
-
 } // namespace
 
 std::string singular(std::string_view word) {
@@ -115,19 +95,45 @@ std::string singular(std::string_view word) {
   return std::string(word);
 }
 
+// The keys of a word, sorted and without duplicates: its trigrams, with its
+// ends marked by ^ and $, and its sound.
+std::vector<std::uint32_t> WordIndex::keys_of(const Word& word) {
+  const auto& letters = word.letters;
+  const auto padded = '^' + letters + '$';
+  std::vector<std::uint32_t> keys;
+  keys.reserve(padded.size() + 4);
+  for (std::size_t position = 0; position + 3 <= padded.size(); ++position)
+    keys.push_back(trigram(padded, position));
+  if (!letters.empty() && letters.size() <= longest_short)
+    add_keys_of_short(letters, keys);
+  if (word.sound.size() > 1)
+    keys.push_back(key_of_sound(word.sound));
+  if (word.outline != 0)
+    keys.push_back(word.outline);
+  std::ranges::sort(keys);
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+WordIndex::Word WordIndex::read(std::string letters) {
+  auto phones = phones_of(letters);
+  const auto phone_bits = sounds_in(phones);
+  const auto letter_bits = letters_in(letters);
+  auto sound = sound_of(letters);
+  const auto outline = phones.empty() ? 0 : key_of_phones(phones);
+  return {std::move(letters), letter_bits, std::move(sound),
+          std::move(phones),  phone_bits,  outline};
+}
+
 WordIndex::WordId WordIndex::add(std::string_view word) {
   auto key = singular(word);
   const auto number = static_cast<WordId>(words_.size());
   const auto [place, is_new] = numbers_.try_emplace(key, number);
   if (is_new) {
-    auto sound = sound_of(key);
-    auto phones = phones_of(key);
-    for (const auto shared : keys_of(key, sound, phones))
-      near_[with_length(shared, key.size())].push_back(number);
-    letters_.push_back(letters_in(key));
-    words_.push_back(std::move(key));
-    sounds_.push_back(std::move(sound));
-    phones_.push_back(std::move(phones));
+    auto made = read(std::move(key));
+    for (const auto shared : keys_of(made))
+      near_[with_length(shared, made.letters.size())].push_back(number);
+    words_.push_back(std::move(made));
   }
   return place->second;
 }
@@ -155,7 +161,7 @@ WordIndex::find_said_alike(std::string_view word) const {
         found != near_.end())
       for (const auto number : found->second)
         if (const auto alike =
-                sounds_alike(phones, phones_[number], said_the_same);
+                sounds_alike(phones, words_[number].phones, said_the_same);
             alike >= said_the_same)
           hits.push_back({number, alike * other_spelling});
   sort(hits);
@@ -173,36 +179,22 @@ void WordIndex::sort(std::vector<Hit>& hits) {
 void WordIndex::add_misspelt(const std::string& word, Spelling spelling,
                              std::vector<Hit>& hits) const {
   const bool nearly = spelling == Spelling::nearly;
-  const Heard heard{word,
-                    letters_in(word),
-                    sound_of(word),
-                    phones_of(word),
-                    nearly ? nearly_the_same : 0,
+  const Heard heard{read(word), nearly ? nearly_the_same : 0,
                     nearly ? extra_of_nearly : max_extra};
-  const auto outline = key_of_phones(heard.phones);
-  const auto keys = keys_of(word, heard.sound, heard.phones);
+  const auto keys = keys_of(heard.word);
   std::vector<WordId> near;
-  std::vector<WordId> outlined;
   const auto shortest = std::max(word.size(), heard.extra + 2) - heard.extra;
   for (auto length = shortest; length <= word.size() + heard.extra; ++length)
     for (const auto key : keys)
       if (const auto found = near_.find(with_length(key, length));
-          found != near_.end()) {
+          found != near_.end())
         near.insert(near.end(), found->second.begin(), found->second.end());
-        if (key == outline)
-          outlined.insert(outlined.end(), found->second.begin(),
-                          found->second.end());
-      }
   std::ranges::sort(near);
-  std::ranges::sort(outlined);
   for (std::size_t at = 0; at < near.size();) {
     const auto first = at;
     while (at < near.size() && near[at] == near[first])
       ++at;
-    const bool alike_in_outline =
-        std::ranges::binary_search(outlined, near[first]);
-    if (const auto hit =
-            compare(heard, near[first], at - first, alike_in_outline);
+    if (const auto hit = compare(heard, near[first], at - first);
         hit.similarity > 0)
       hits.push_back(hit);
   }
@@ -213,35 +205,43 @@ void WordIndex::add_misspelt(const std::string& word, Spelling spelling,
 // only compared if they share enough keys: two, or one for a short word. The
 // comparison, which is the expensive part, is thus done for few words only.
 WordIndex::Hit WordIndex::compare(const Heard& heard, WordId number,
-                                  std::size_t shared,
-                                  bool alike_in_outline) const {
+                                  std::size_t shared) const {
   const auto& word = heard.word;
-  const auto& other = words_[number];
-  const auto& phones = phones_[number];
-  const bool near = shared >= (word.size() > 5 ? 2U : 1U);
-  const bool by_sound =
-      heard.sound.size() > 1 && heard.sound == sounds_[number];
-  const auto length = std::min(word.size(), other.size());
-  if (other == word || (!near && !by_sound && !alike_in_outline))
+  const auto& known = words_[number];
+  const bool near = shared >= (word.letters.size() > 5 ? 2U : 1U);
+  const bool by_sound = word.sound.size() > 1 && word.sound == known.sound;
+  const bool by_outline = word.outline != 0 && word.outline == known.outline;
+  if ((!near && !by_sound && !by_outline) || known.letters == word.letters)
     return {number, 0};
-  const auto longest = std::max(heard.phones.size(), phones.size());
-  const auto least_said = std::max(least_alike, heard.least);
-  const auto said =
-      longest > std::min(heard.phones.size(), phones.size()) + max_extra
-          ? 0.0
-          : sounds_alike(heard.phones, phones, least_said / other_spelling) *
-                other_spelling;
-  const auto needed = std::max(similarity_needed(length), heard.least);
+  const auto said = alike_when_said(heard, known);
+  const auto [shorter, longer] =
+      std::minmax({word.letters.size(), known.letters.size()});
+  const auto needed = std::max(similarity_needed(shorter), heard.least);
   const bool may_be_similar =
       (near || by_sound) &&
-      similarity_at_most(heard.letters, letters_[number],
-                         std::max(word.size(), other.size())) >= needed;
-  const auto letters = may_be_similar ? similarity(word, other, needed) : 0.0;
+      similarity_at_most(word.letter_bits, known.letter_bits, longer) >= needed;
+  const auto letters =
+      may_be_similar ? similarity(word.letters, known.letters, needed) : 0.0;
   const auto written = std::max(
       letters >= needed ? letters : 0.0,
       by_sound && similar_by_sound >= heard.least ? similar_by_sound : 0.0);
-  return {number, std::max(written, said >= least_said ? said : 0.0),
-          written == 0};
+  return {number, std::max(written, said), written == 0};
+}
+
+// 0 if they are not alike enough.
+double WordIndex::alike_when_said(const Heard& heard, const Word& known) {
+  const auto& phones = heard.word.phones;
+  const auto [shorter, longer] =
+      std::minmax({phones.size(), known.phones.size()});
+  const auto least = std::max(least_alike, heard.least);
+  const auto needed = least / other_spelling;
+  if (longer > shorter + max_extra ||
+      sounds_alike_at_most(heard.word.phone_bits, known.phone_bits, longer) <
+          needed)
+    return 0;
+  const auto alike =
+      sounds_alike(phones, known.phones, needed) * other_spelling;
+  return alike >= least ? alike : 0;
 }
 
 } // namespace parlour::adapters::nlu

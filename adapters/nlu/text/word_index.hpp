@@ -65,28 +65,35 @@ public:
   }
 
 private:
-  // A word that was heard, with its sounds.
-  struct Heard {
-    const std::string& word;
-    std::uint32_t letters = 0;
+  // A word as it is written (similarity.hpp), sounds (sounds.hpp) and is said
+  // (phones.hpp).
+  struct Word {
+    std::string letters;
+    std::uint32_t letter_bits = 0;
     std::string sound;
     std::string phones;
+    std::uint32_t phone_bits = 0;
+    std::uint32_t outline = 0; // as a key; 0: it has no phones
+  };
+
+  // One that was heard.
+  struct Heard {
+    Word word;
     // How similar a word must be at least, and by how many letters it may be
     // longer or shorter.
     double least = 0;
     std::size_t extra = 0;
   };
 
+  static Word read(std::string letters);
+  static std::vector<std::uint32_t> keys_of(const Word& word);
   void add_misspelt(const std::string& word, Spelling spelling,
                     std::vector<Hit>& hits) const;
-  Hit compare(const Heard& heard, WordId number, std::size_t shared,
-              bool alike_in_outline) const;
+  Hit compare(const Heard& heard, WordId number, std::size_t shared) const;
+  static double alike_when_said(const Heard& heard, const Word& known);
   static void sort(std::vector<Hit>& hits);
 
-  std::vector<std::string> words_;
-  std::vector<std::uint32_t> letters_; // of each word (similarity.hpp)
-  std::vector<std::string> sounds_;    // of each word (sounds.hpp)
-  std::vector<std::string> phones_;    // of each word (phones.hpp)
+  std::vector<Word> words_;
   TextMap<WordId> numbers_;
   // Words by their length and the keys that similar words share (with_length
   // and keys_of in the source).

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "adapters/nlu/text/phones.hpp"
@@ -34,6 +38,28 @@ TEST(Phones, DifferInOtherWords) {
   EXPECT_LT(alike("ming", "jie"), 0.5);
   EXPECT_LT(alike("kenneth", "kwok"), 0.5);
   EXPECT_EQ(sounds_alike("", "lim"), 0);
+}
+
+TEST(Phones, AreNeverMoreAlikeThanTheirSoundsAllow) {
+  const std::vector<std::string> words{
+      "zhang",  "jang",    "hui",    "hooey",   "subramaniam", "geoffrey",
+      "kwok",   "alvin",   "kelvin", "ming",    "jie",         "kenneth",
+      "wee",    "hwee",    "xiu",    "michael", "quek",        "ai",
+      "aishah", "meeting", "ng",     "yusoff",  "joseph",      "tan"};
+  for (const auto& left : words)
+    for (const auto& right : words) {
+      const auto one = phones_of(left);
+      const auto other = phones_of(right);
+      EXPECT_LE(sounds_alike(one, other),
+                sounds_alike_at_most(sounds_in(one), sounds_in(other),
+                                     std::max(one.size(), other.size())))
+          << left << ' ' << right;
+    }
+}
+
+TEST(Phones, AreKnownNotToBeAlikeByTheirSounds) {
+  EXPECT_LT(sounds_alike_at_most(sounds_in("ken"), sounds_in("Sila"), 4), 0.4);
+  EXPECT_GE(sounds_alike_at_most(sounds_in("tik"), sounds_in("kit"), 3), 1);
 }
 
 TEST(Phones, ShareAnOutlineIfOneMayBeWrittenForTheOther) {

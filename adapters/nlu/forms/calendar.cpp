@@ -94,15 +94,20 @@ Day months_later(Day day, int count) {
 // "may" is a month although it is also a verb; the caller needs a day beside
 // it.
 std::int64_t month_of(std::string_view word) {
+  if (word.size() < 3)
+    return 0;
+  // The first letter tells most apart.
   for (std::size_t index = 0; index < std::size(months); ++index)
-    if (word.size() >= 3 && months[index].starts_with(word))
+    if (months[index][0] == word[0] && months[index].starts_with(word))
       return static_cast<std::int64_t>(index) + 1;
   return word == "sept" ? 9 : 0;
 }
 
 std::optional<std::chrono::weekday> weekday_of(std::string_view word) {
+  if (word.size() < 3)
+    return {};
   for (std::size_t index = 0; index < std::size(weekdays); ++index)
-    if (word.size() >= 3 &&
+    if (weekdays[index][0] == word[0] &&
         (weekdays[index].starts_with(word) ||
          (word.ends_with('s') &&
           word.substr(0, word.size() - 1) == weekdays[index])))

@@ -3,13 +3,22 @@
 // understanding.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
+
+#include "adapters/nlu/forms/normal_forms.hpp"
 
 namespace parlour::adapters::nlu {
 
-// Whether a time, date, number, duration, telephone number or level may begin
-// with the word; e-mail addresses may begin with any. A reader that accepts
-// another first word must name it here.
-bool may_begin_form(std::string_view word);
+// A bit for each form.
+using Forms = std::uint8_t;
+
+constexpr Forms forms_bit(Form form) {
+  return static_cast<Forms>(1U << static_cast<unsigned>(form));
+}
+
+// Those that may begin with the word; an e-mail address may begin with any. A
+// reader that accepts another first word must name it here.
+Forms forms_from(std::string_view word);
 
 } // namespace parlour::adapters::nlu

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <unordered_map>
 #include <utility>
+
+#include "adapters/nlu/text/word_set.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -18,8 +19,8 @@ struct NumberWord {
 constexpr std::int64_t million = 1'000'000;
 constexpr std::int64_t billion = 1'000 * million;
 
-const std::unordered_map<std::string_view, NumberWord>& number_words() {
-  static const std::unordered_map<std::string_view, NumberWord> table{
+const WordMap<NumberWord>& number_words() {
+  static const WordMap<NumberWord> table{
       {"zero", {0, false}},          {"nought", {0, false}},
       {"naught", {0, false}},        {"nil", {0, false}},
       {"one", {1, false}},           {"two", {2, false}},
@@ -144,10 +145,9 @@ std::optional<NumberAt> written_number(std::string_view word) {
 
 // The entry of a token in the table, or null.
 const NumberWord* number_word(const Tokens& tokens, std::size_t position) {
-  if (position >= tokens.list.size())
-    return nullptr;
-  const auto found = number_words().find(tokens.list[position].word);
-  return found == number_words().end() ? nullptr : &found->second;
+  return position < tokens.list.size()
+             ? number_words().find(tokens.list[position].word)
+             : nullptr;
 }
 
 // Empty behind the last token.
@@ -166,7 +166,7 @@ bool is_article_of_number(const Tokens& tokens, std::size_t position) {
 } // namespace
 
 bool is_number_word(std::string_view word) {
-  return number_words().contains(word);
+  return number_words().find(word) != nullptr;
 }
 
 std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position) {
@@ -227,11 +227,10 @@ std::optional<int> digit_of(std::string_view word) {
     return 0;
   if (word.size() == 1 && word[0] >= '0' && word[0] <= '9')
     return word[0] - '0';
-  const auto found = number_words().find(word);
-  if (found == number_words().end() || found->second.ordinal ||
-      found->second.value > 9)
+  const auto* const found = number_words().find(word);
+  if (!found || found->ordinal || found->value > 9)
     return {};
-  return static_cast<int>(found->second.value);
+  return static_cast<int>(found->value);
 }
 
 std::optional<std::int64_t> digits_of(std::string_view word) {

@@ -94,18 +94,18 @@ void Spans::order() {
 }
 
 void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
-  std::vector<bool> may_begin(utterance_.size());
-  for (std::uint32_t at = 0; at < utterance_.size(); ++at)
-    may_begin[at] = may_begin_form(utterance_.tokens.list[at].word);
+  std::vector<Forms> begin;
+  begin.reserve(utterance_.size());
+  for (const auto& token : utterance_.tokens.list)
+    begin.push_back(forms_from(token.word));
   for (const auto entity : entities) {
     if (!is_form(entity))
       continue;
-    const bool begins_anywhere = static_cast<Form>(entity) == Form::email;
+    const auto form = static_cast<Form>(entity);
     for (std::uint32_t at = 0; at < utterance_.size(); ++at) {
-      if (!may_begin[at] && !begins_anywhere)
+      if ((begin[at] & forms_bit(form)) == 0)
         continue;
-      auto found =
-          form_at(static_cast<Form>(entity), utterance_.tokens, at, now);
+      auto found = form_at(form, utterance_.tokens, at, now);
       if (!found || found->length == 0 ||
           (found->length == 1 && is_pronoun(utterance_.tokens, at)))
         continue;

@@ -14,6 +14,8 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+constexpr std::size_t usual_bytes_per_word = 4;
+
 bool is_digit(char32_t code) {
   return code >= '0' && code <= '9';
 }
@@ -55,7 +57,10 @@ Break break_of(char32_t code) {
 class Tokenizer {
 public:
   explicit Tokenizer(std::string_view text)
-      : text_(text), has_email_(text.find('@') != std::string_view::npos) {}
+      : text_(text), has_email_(text.find('@') != std::string_view::npos) {
+    tokens_.list.reserve(
+        std::min(text.size() / usual_bytes_per_word + 2, max_tokens));
+  }
 
   Tokens run() {
     while (skip_to_word()) {

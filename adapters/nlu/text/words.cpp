@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_map>
 
 #include "adapters/nlu/text/word_set.hpp"
 
@@ -89,33 +88,37 @@ struct Contraction {
   std::string_view meant;
 };
 // With and without apostrophe, as speech recognisers write both.
-constexpr Contraction contractions[] = {
-    {"i'm", "i am"},          {"im", "i am"},
-    {"i'd", "i would"},       {"ive", "i have"},
-    {"you'd", "you would"},   {"we'd", "we would"},
-    {"he's", "he is"},        {"she's", "she is"},
-    {"it's", "it is"},        {"its", "it is"},
-    {"that's", "that is"},    {"thats", "that is"},
-    {"there's", "there is"},  {"theres", "there is"},
-    {"here's", "here is"},    {"what's", "what is"},
-    {"whats", "what is"},     {"where's", "where is"},
-    {"wheres", "where is"},   {"who's", "who is"},
-    {"whos", "who is"},       {"how's", "how is"},
-    {"hows", "how is"},       {"when's", "when is"},
-    {"let's", "let us"},      {"lets", "let us"},
-    {"can't", "can not"},     {"cant", "can not"},
-    {"cannot", "can not"},    {"dont", "do not"},
-    {"won't", "will not"},    {"gonna", "going to"},
-    {"wanna", "want to"},     {"name's", "name is"},
-    {"mustnt", "must not"},   {"shouldnt", "should not"},
-    {"wouldnt", "would not"}, {"couldnt", "could not"},
-    {"neednt", "need not"},   {"shan't", "shall not"},
-    {"havent", "have not"},   {"doesnt", "does not"},
-    {"didnt", "did not"},     {"isnt", "is not"},
-    {"arent", "are not"},     {"wasnt", "was not"},
-    {"youre", "you are"},     {"youve", "you have"},
-    {"theyre", "they are"},   {"weve", "we have"},
-};
+const WordMap<std::string_view>& contractions() {
+  static const WordMap<std::string_view> table{
+      {"i'm", "i am"},          {"im", "i am"},
+      {"i'd", "i would"},       {"ive", "i have"},
+      {"you'd", "you would"},   {"we'd", "we would"},
+      {"he's", "he is"},        {"she's", "she is"},
+      {"it's", "it is"},        {"its", "it is"},
+      {"that's", "that is"},    {"thats", "that is"},
+      {"there's", "there is"},  {"theres", "there is"},
+      {"here's", "here is"},    {"what's", "what is"},
+      {"whats", "what is"},     {"where's", "where is"},
+      {"wheres", "where is"},   {"who's", "who is"},
+      {"whos", "who is"},       {"how's", "how is"},
+      {"hows", "how is"},       {"when's", "when is"},
+      {"let's", "let us"},      {"lets", "let us"},
+      {"can't", "can not"},     {"cant", "can not"},
+      {"cannot", "can not"},    {"dont", "do not"},
+      {"won't", "will not"},    {"gonna", "going to"},
+      {"wanna", "want to"},     {"name's", "name is"},
+      {"mustnt", "must not"},   {"shouldnt", "should not"},
+      {"wouldnt", "would not"}, {"couldnt", "could not"},
+      {"neednt", "need not"},   {"shan't", "shall not"},
+      {"havent", "have not"},   {"doesnt", "does not"},
+      {"didnt", "did not"},     {"isnt", "is not"},
+      {"arent", "are not"},     {"wasnt", "was not"},
+      {"youre", "you are"},     {"youve", "you have"},
+      {"theyre", "they are"},   {"weve", "we have"},
+  };
+  return table;
+}
+
 // Of any word: "there'll", "you've", "didn't".
 constexpr Contraction endings[] = {{"'ll", " will"},
                                    {"'ve", " have"},
@@ -247,15 +250,10 @@ std::span<const std::string_view> filler_phrases() {
 }
 
 std::string contraction(std::string_view word) {
-  static const auto table = [] {
-    std::unordered_map<std::string_view, std::string_view> made;
-    for (const auto& [written, meant] : contractions)
-      made.emplace(written, meant);
-    return made;
-  }();
-  const auto found = table.find(word);
-  if (found != table.end())
-    return std::string(found->second);
+  if (const auto* const meant = contractions().find(word))
+    return std::string(*meant);
+  if (word.find('\'') == std::string_view::npos)
+    return {};
   for (const auto& [ending, meant] : endings)
     if (word.size() > ending.size() && word.ends_with(ending))
       return std::string(word.substr(0, word.size() - ending.size())) +

@@ -34,5 +34,13 @@ TEST(WordSet, lists_them) {
               UnorderedElementsAre("one", "two"));
 }
 
+TEST(WordMap, finds_what_its_words_mean) {
+  const WordMap<int> numbers{{"one", 1}, {"two", 2}};
+  ASSERT_NE(numbers.find("two"), nullptr);
+  EXPECT_EQ(*numbers.find("two"), 2);
+  for (const auto* word : {"", "too", "tw", "three"})
+    EXPECT_EQ(numbers.find(word), nullptr) << word;
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

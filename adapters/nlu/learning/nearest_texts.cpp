@@ -110,13 +110,17 @@ std::vector<NearText> NearestTexts::find(const Words& words,
           found != columns_.end())
         look(found->second, weight_of_other * found->second.rarity);
   const auto said = values(words);
+  const auto root = std::sqrt(length);
   std::vector<NearText> best(label_count_);
-  for (std::uint32_t text = 0; text < labels_.size(); ++text)
+  for (std::uint32_t text = 0; text < labels_.size(); ++text) {
+    // Most texts share nothing with the words.
+    if (products[text] == 0)
+      continue;
     if (auto& near = best[labels_[text]];
-        products[text] > near.similarity * std::sqrt(length) &&
+        products[text] > near.similarity * root &&
         std::ranges::includes(said, values_[text]))
-      near = {labels_[text], text,
-              std::min(1.0F, products[text] / std::sqrt(length))};
+      near = {labels_[text], text, std::min(1.0F, products[text] / root)};
+  }
   std::erase_if(best, [](const auto& near) { return near.similarity == 0; });
   std::ranges::stable_sort(best, std::greater(), &NearText::similarity);
   if (best.size() > most)

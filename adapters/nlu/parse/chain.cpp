@@ -1,7 +1,8 @@
 #include "adapters/nlu/parse/chain.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <functional>
+#include <utility>
 
 namespace parlour::adapters::nlu {
 
@@ -16,31 +17,41 @@ constexpr double again_cost = 0.4;
 // How many islands back a repetition is looked for.
 constexpr std::size_t look_back = 8;
 
-// Dynamic programming from left to right. ends_[p] holds, for each topic, the
-// best sequence that ends at or before token p. The topic belongs to the key
-// because the cost of the next island depends on it.
+// How many sequences memory is reserved for.
+constexpr std::size_t usual_nodes = 64;
+
+// Dynamic programming from left to right. The ends of token p are, for each
+// topic, the best sequence that ends at or before it. The topic belongs to the
+// key because the cost of the next island depends on it.
 class ChainSearch {
 public:
   ChainSearch(const std::vector<Island>& islands, std::size_t size,
               const Context& context)
-      : islands_(islands), context_(context), ends_(size + 1),
-        beginning_(size + 1) {
-    for (const auto& island : islands_)
-      beginning_[island.begin].push_back(&island);
+      : context_(context), lists_(size + 1) {
+    nodes_.reserve(usual_nodes);
+    ends_.reserve(usual_nodes);
+    by_begin_.reserve(islands.size());
+    for (const auto& island : islands)
+      by_begin_.push_back(&island);
+    std::ranges::sort(by_begin_, {}, [](const Island* island) {
+      return std::pair(island->begin, island);
+    });
   }
 
   std::vector<Chain> run() {
     nodes_.push_back({});
-    ends_[0].push_back(0);
+    ends_.push_back({}); // entry 0 means the end of a list
+    offer(0, 0);
+    auto next = by_begin_.begin();
     // A sequence that ends before token `at` also counts at `at`: the token
     // between is not covered. All islands that end at `at` have been added,
     // since they begin before it.
-    for (std::size_t at = 0; at < ends_.size(); ++at) {
+    for (std::size_t at = 0; at < lists_.size(); ++at) {
       if (at > 0)
-        for (const auto node : ends_[at - 1])
-          offer(at, node);
-      for (const auto* island : beginning_[at])
-        add(at, *island);
+        for (auto end = lists_[at - 1].first; end != 0; end = ends_[end].next)
+          offer(at, ends_[end].node);
+      for (; next != by_begin_.end() && (*next)->begin == at; ++next)
+        add(at, **next);
     }
     return chains();
   }
@@ -54,24 +65,40 @@ private:
     double score = 0;
   };
 
+  // The ends of a token are a list in the order in which they came.
+  struct End {
+    std::uint32_t node = 0;
+    std::uint32_t next = 0;
+  };
+  struct Ends {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+  };
+
   // Keeps the node if it is the best that ends here with its topic.
   void offer(std::size_t position, std::uint32_t node) {
-    for (auto& other : ends_[position]) {
+    auto& list = lists_[position];
+    for (auto at = list.first; at != 0; at = ends_[at].next) {
+      auto& other = ends_[at].node;
       if (nodes_[other].link.topic != nodes_[node].link.topic)
         continue;
       if (nodes_[node].score > nodes_[other].score)
         other = node;
       return;
     }
-    ends_[position].push_back(node);
+    const auto made = static_cast<std::uint32_t>(ends_.size());
+    ends_.push_back({node, 0});
+    (list.first == 0 ? list.first : ends_[list.last].next) = made;
+    list.last = made;
   }
 
   // Appends an island to each sequence that ends before it, once for each topic
   // that it may be about. A generic act does not change the topic.
   void add(std::size_t position, const Island& island) {
-    const auto befores = ends_[position];
-    for (const auto before : befores) {
-      const auto last = nodes_[before].link; // nodes_ grows below
+    // Both grow below, but no more ends come here.
+    for (auto end = lists_[position].first; end != 0; end = ends_[end].next) {
+      const auto before = ends_[end].node;
+      const auto last = nodes_[before].link;
       if (island.weak && !may_be_meant(island, last) &&
           !contrasts(before, island))
         continue;
@@ -162,24 +189,22 @@ private:
   // Follows the nodes back from the end of the utterance.
   std::vector<Chain> chains() const {
     std::vector<Chain> found;
-    for (const auto end : ends_.back()) {
-      Chain chain;
-      chain.score = nodes_[end].score;
-      for (auto at = end; at != 0; at = nodes_[at].before)
+    for (auto end = lists_.back().first; end != 0; end = ends_[end].next) {
+      auto& chain = found.emplace_back();
+      chain.score = nodes_[ends_[end].node].score;
+      for (auto at = ends_[end].node; at != 0; at = nodes_[at].before)
         chain.links.push_back(nodes_[at].link);
       std::ranges::reverse(chain.links);
-      found.push_back(std::move(chain));
     }
     std::ranges::stable_sort(found, std::greater(), &Chain::score);
     return found;
   }
 
-  const std::vector<Island>& islands_;
   const Context& context_;
+  std::vector<const Island*> by_begin_;
   std::vector<Node> nodes_;
-  // Nodes by position.
-  std::vector<std::vector<std::uint32_t>> ends_;
-  std::vector<std::vector<const Island*>> beginning_;
+  std::vector<End> ends_;
+  std::vector<Ends> lists_; // by token
 };
 
 } // namespace

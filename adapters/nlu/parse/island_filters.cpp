@@ -63,18 +63,22 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
   // be.
   if (std::ranges::any_of(islands, &Island::denies))
     return;
-  std::vector<Fill> sure;
+  struct Sure {
+    std::string slot;
+    std::uint32_t begin = 0;
+  };
+  std::vector<Sure> sure;
   for (const auto& island : islands)
     for (const auto& fill : island.fills)
       if (fits(fill, spans, is_certain) &&
           !fits(fill, spans, is_one_of_several))
-        sure.push_back(fill);
+        sure.push_back({fill.slot, fill.begin});
   // Of several people, a later word says which; in "Kelvin Palmer, no, Tan", it
   // is somebody else.
   const auto is_outshone = [&](const Fill& fill, const Island& island) {
     return std::ranges::any_of(
                sure,
-               [&](const Fill& other) {
+               [&](const Sure& other) {
                  return other.slot == fill.slot &&
                         (fits(fill, spans, is_guess) ||
                          (fits(fill, spans, is_one_of_several) &&
@@ -126,10 +130,10 @@ void leave_out_strangers(std::vector<Island>& islands,
     if (is_better(island) || says_what(island, spans))
       better.push_back(&island);
   leave_out(islands, [&](const Island& island) {
-    const bool strange =
-        !island.fills.empty() && std::ranges::all_of(island.fills, is_stranger);
-    const bool nameless = std::ranges::any_of(island.fills, is_stranger) &&
-                          std::ranges::none_of(island.fills, is_named);
+    if (std::ranges::none_of(island.fills, is_stranger))
+      return false;
+    const bool strange = std::ranges::all_of(island.fills, is_stranger);
+    const bool nameless = std::ranges::none_of(island.fills, is_named);
     const bool is_story = nameless && (strange || is_beside(island));
     return std::ranges::any_of(better, [&](const Island* other) {
       return (is_story && says_what(*other, spans) &&

@@ -183,6 +183,7 @@ std::vector<Island> read_islands(const std::vector<Match>& matches,
                                  const Schema& schema, const Context& context) {
   IslandReader reader(traces, spans, automaton, schema, context);
   std::vector<Island> islands;
+  islands.reserve(matches.size());
   for (const auto& match : matches)
     if (auto island = reader.read(match))
       islands.push_back(std::move(*island));

@@ -1,5 +1,5 @@
 // Whether something is in a short list, where each element is looked at, or a
-// digit in a word.
+// digit in a word, or one letter alone.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,12 @@ inline bool is_one_of(std::string_view word,
 }
 
 inline bool has_digit(std::string_view word) {
-  return word.find_first_of("0123456789") != std::string_view::npos;
+  return std::ranges::any_of(
+      word, [](char letter) { return letter >= '0' && letter <= '9'; });
+}
+
+inline bool is_letter(std::string_view word) {
+  return word.size() == 1 && !has_digit(word);
 }
 
 } // namespace parlour::adapters::nlu

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "adapters/nlu/text/words.hpp"
-#include "adapters/nlu/values/value_search.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -119,11 +118,6 @@ void ValueIndex::add_synonyms(
         for (const auto& other : found->second)
           synonyms_[other].push_back({value, bit(at)});
   }
-}
-
-std::vector<ValueMatch> ValueIndex::find(const Tokens& tokens,
-                                         const std::vector<bool>& plain) const {
-  return ValueSearch(*this, tokens, plain).run();
 }
 
 } // namespace parlour::adapters::nlu

@@ -73,6 +73,7 @@ public:
   }
 
 private:
+  friend class ValueFits;
   friend class ValueSearch;
 
   struct Entry {

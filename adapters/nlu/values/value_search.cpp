@@ -13,13 +13,9 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// How far a match may reach, in tokens.
-constexpr std::size_t widest_window = 16;
 constexpr std::size_t max_candidates = 50;
-// A match with a lower confidence is dropped. Values whose quality is this
-// close to the best one's are candidates, too.
+// A match with a lower confidence is dropped.
 constexpr double min_confidence = 0.6;
-constexpr double equally_good = 0.03;
 // The same for people, and what a word beside one costs that is left over.
 constexpr double min_of_people = 0.7;
 constexpr double stranger_cost = 0.5;
@@ -30,8 +26,6 @@ constexpr double single_name = 0.815; // "asthma" is no Jane Austen
 constexpr double single_part = 0.87;
 // A word that names nothing by itself: "the Times" may be "The Time Machine".
 constexpr double vague_part = 0.62;
-// "mug" for "cup".
-constexpr float synonym_similarity = 0.93F;
 // How many words may be skipped within a value: "son of", "er".
 constexpr std::size_t most_skipped = 3;
 
@@ -39,118 +33,18 @@ int count(std::uint16_t mask) {
   return std::popcount(mask);
 }
 
-bool is_letter(std::string_view word) {
-  return word.size() == 1 && !has_digit(word);
-}
-
-// A word with another meaning that may be a name as well, since it is said like
-// one: "joanna so", "kelvin go".
-bool may_be_name(std::string_view word) {
-  return word == "so" || word == "go" || !is_function_word(word);
-}
-
 } // namespace
 
 ValueSearch::ValueSearch(const ValueIndex& index, const Tokens& tokens,
                          const std::vector<bool>& plain)
-    : index_(index), tokens_(tokens), plain_(plain), fits_(tokens.list.size()),
+    : index_(index), tokens_(tokens), plain_(plain),
+      fits_(ValueFits(index, tokens, plain).run()),
       ends_(tokens.list.size() + 1) {}
 
 std::vector<ValueMatch> ValueSearch::run() {
-  collect_fits();
   for (std::size_t begin = 0; begin < tokens_.list.size(); ++begin)
     search_from(begin);
   return std::move(matches_);
-}
-
-// Finds the values that each token fits, sorted by value, so that extend() can
-// walk through partial matches and fits together.
-void ValueSearch::collect_fits() {
-  for (std::size_t position = 0; position < fits_.size(); ++position)
-    add_fits(position);
-  for (std::size_t position = 0; position < fits_.size(); ++position)
-    add_joined(position);
-  for (std::size_t position = 1; position < fits_.size(); ++position)
-    add_said_alike(position);
-  for (auto& fits : fits_)
-    std::ranges::stable_sort(fits, {}, &Fit::value);
-}
-
-// A plain word, or one with digits, is only looked up exactly.
-void ValueSearch::add_fits(std::size_t position) {
-  const auto& word = tokens_.list[position].word;
-  const bool misspelt = !plain_[position] && !has_digit(word);
-  look_up(position, word, misspelt, 1);
-  if (const auto other = index_.synonyms_.find(word);
-      other != index_.synonyms_.end())
-    for (const auto& posting : other->second)
-      fits_[position].push_back(
-          {posting.value, posting.mask, 1, synonym_similarity, false});
-  if (is_letter(word) &&
-      (position == 0 || !is_letter(tokens_.list[position - 1].word)))
-    add_spelt(position);
-}
-
-// Two tokens may be a word that was split ("coffee shop" for "coffeeshop"), or
-// two that were split elsewhere. "With an H" does not mean somebody called Anh.
-void ValueSearch::add_joined(std::size_t position) {
-  const auto next = position + 1;
-  const auto& word = tokens_.list[position].word;
-  if (next >= fits_.size() || tokens_.list[next].before != Break::none ||
-      (is_function_word(word) && is_letter(tokens_.list[next].word)))
-    return;
-  const bool joined = !plain_[position] && !has_digit(word) && !plain_[next] &&
-                      (fits_[position].empty() || fits_[next].empty());
-  look_up(position, word + tokens_.list[next].word, joined, 2);
-}
-
-// "T A N": letters one by one, from three on.
-void ValueSearch::add_spelt(std::size_t position) {
-  std::string word;
-  auto at = position;
-  while (at < fits_.size() && is_letter(tokens_.list[at].word))
-    word += tokens_.list[at++].word;
-  const auto length = at - position;
-  if (length < 2 || length > widest_window)
-    return;
-  look_up(position, word, length > 3, static_cast<std::uint8_t>(length), true);
-}
-
-// Behind a word of a name, a word with a meaning of its own may be a name, too.
-void ValueSearch::add_said_alike(std::size_t position) {
-  const auto& word = tokens_.list[position].word;
-  auto before = position - 1;
-  while (before > 0 && is_hesitation(tokens_.list[before].word))
-    --before;
-  if (!plain_[position] || plain_[before] || fits_[before].empty() ||
-      !fits_[position].empty() || !may_be_name(word) || has_digit(word) ||
-      is_title(word) || is_light(word))
-    return;
-  add_hits(position, index_.words_, index_.words_.index.find_said_alike(word),
-           1, false);
-}
-
-void ValueSearch::look_up(std::size_t position, std::string_view word,
-                          bool misspelt, std::uint8_t length, bool spelt) {
-  using enum Spelling;
-  const auto& words = index_.words_;
-  const auto& joined = index_.joined_;
-  add_hits(position, words, words.index.find(word, misspelt ? loose : exact),
-           length, spelt);
-  add_hits(position, joined, joined.index.find(word, misspelt ? nearly : exact),
-           length, spelt);
-}
-
-void ValueSearch::add_hits(std::size_t position, const ValueIndex::Lists& lists,
-                           const std::vector<WordIndex::Hit>& hits,
-                           std::uint8_t length, bool spelt) {
-  for (const auto& hit : hits)
-    for (const auto& posting : lists.postings[hit.word]) {
-      const auto set = index_.values_[posting.value].set;
-      if (!hit.only_said || index_.sets_[set].of_people)
-        fits_[position].push_back({posting.value, posting.mask, length,
-                                   static_cast<float>(hit.similarity), spelt});
-    }
 }
 
 // All matches that begin at this token. A match does not begin with a light
@@ -284,7 +178,7 @@ double ValueSearch::likeness(const Partial& partial) const {
 
 // Compares values, with a bonus for one that was said completely.
 double ValueSearch::quality(const Partial& partial) const {
-  return likeness(partial) + (whole(partial) ? 0.2 : 0.0);
+  return likeness(partial) + (whole(partial) ? said_wholly : 0.0);
 }
 
 // Unknown words, and with people words of other names.
@@ -395,6 +289,12 @@ void ValueSearch::emit_set(std::size_t begin, std::size_t end,
         match.values.size() < max_candidates)
       match.values.push_back(partial.value - index_.sets_[match.set].first);
   matches_.push_back(std::move(match));
+}
+
+// Here, so that the index knows nothing of its search.
+std::vector<ValueMatch> ValueIndex::find(const Tokens& tokens,
+                                         const std::vector<bool>& plain) const {
+  return ValueSearch(*this, tokens, plain).run();
 }
 
 } // namespace parlour::adapters::nlu

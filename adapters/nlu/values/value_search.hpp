@@ -10,7 +10,7 @@
 
 #include <span>
 
-#include "adapters/nlu/values/value_index.hpp"
+#include "adapters/nlu/values/value_fits.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -23,16 +23,7 @@ public:
   std::vector<ValueMatch> run();
 
 private:
-  // A token (or two) that fits a word (or two) of a value.
-  struct Fit {
-    std::uint32_t value = 0;
-    std::uint16_t mask = 0;
-    // In tokens.
-    std::uint8_t length = 1;
-    float similarity = 1;
-    // Letter by letter, which may repeat a word: "Tan, T A N".
-    bool spelt = false;
-  };
+  using Fit = ValueFits::Fit;
 
   // A value of which some words were found since the window began.
   struct Partial {
@@ -48,17 +39,6 @@ private:
   };
 
   using Partials = std::vector<Partial>;
-
-  void collect_fits();
-  void add_fits(std::size_t position);
-  void add_joined(std::size_t position);
-  void add_spelt(std::size_t position);
-  void add_said_alike(std::size_t position);
-  void look_up(std::size_t position, std::string_view word, bool misspelt,
-               std::uint8_t length, bool spelt = false);
-  void add_hits(std::size_t position, const ValueIndex::Lists& lists,
-                const std::vector<WordIndex::Hit>& hits, std::uint8_t length,
-                bool spelt);
 
   void search_from(std::size_t begin);
   void extend(const Partials& partials, std::size_t begin,
@@ -87,8 +67,7 @@ private:
   const ValueIndex& index_;
   const Tokens& tokens_;
   const std::vector<bool>& plain_;
-  // By the token at which they begin.
-  std::vector<std::vector<Fit>> fits_;
+  std::vector<std::vector<Fit>> fits_; // by token
   // By the token behind them; of the current window only.
   std::vector<Partials> ends_;
   std::vector<ValueMatch> matches_;

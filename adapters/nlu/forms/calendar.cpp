@@ -42,7 +42,9 @@ std::string date_text(Day day) {
 
 std::optional<Day> make_day(std::int64_t year, std::int64_t month,
                             std::int64_t day) {
-  if (year < 1900 || year > 2200 || month < 1 || day < 1 || day > 31)
+  // A month of chrono has one byte.
+  if (year < 1900 || year > 2200 || month < 1 || month > 12 || day < 1 ||
+      day > 31)
     return {};
   const year_month_day date{std::chrono::year(static_cast<int>(year)),
                             std::chrono::month(static_cast<unsigned>(month)),

@@ -9,6 +9,9 @@ TEST(Calendar, KnowsWhichDaysThereAre) {
   EXPECT_EQ(date_text(*make_day(2028, 2, 29)), "2028-02-29");
   EXPECT_FALSE(make_day(2027, 2, 29));
   EXPECT_FALSE(make_day(1800, 1, 1));
+  for (const auto month : {13LL, 257LL, 258LL, 4294967297LL})
+    EXPECT_FALSE(make_day(2027, month, 12)) << month;
+  EXPECT_FALSE(read_day("12/258/2027", '/', {}));
 }
 
 TEST(Calendar, ReadsWrittenDays) {

@@ -121,8 +121,8 @@ protected:
   virtual std::vector<Value> understand(const std::string& text,
                                         const Map& context) const = 0;
   // The column ("db:staff.name") has these values from now on. Ignored unless
-  // overridden. Called on the plug-in's own thread, while others may call
-  // understand().
+  // overridden. It may come in the turns of several sessions at once, while
+  // others call understand().
   virtual void set_values(const std::string& column, const List& values) const;
 };
 

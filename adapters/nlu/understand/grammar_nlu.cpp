@@ -1,20 +1,16 @@
 // The plug-in around NluEngine: it reads the options, builds the engine at its
 // start, and passes each text on. It is an inline component (engine rule 1.2):
-// no engine changes. Where a column has new values, another engine takes its
-// place, and whoever asks meanwhile is answered by the one before.
+// no engine changes.
 #include "adapters/nlu/understand/grammar_nlu.hpp"
 
-#include <algorithm>
 #include <memory>
-#include <mutex>
 #include <utility>
 
 #include "adapters/nlu/grammar/example_file.hpp"
 #include "adapters/nlu/understand/engine_store.hpp"
 #include "adapters/nlu/understand/language_knowledge.hpp"
-#include "adapters/nlu/values/known_columns.hpp"
+#include "adapters/nlu/values/renewed_nlu.hpp"
 #include "runtime/base/outside/file_bytes.hpp"
-#include "runtime/plugin/adaptors.hpp"
 #include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters {
@@ -40,93 +36,28 @@ std::string option(const Options& options, const std::string& name) {
   return option_value(options, option_descriptions(), name);
 }
 
-bool is_of_data(const Error& error) {
-  return error.kind == ErrorKind::database || error.kind == ErrorKind::file;
-}
-
-// Joins errors to one with a line for each. An error of data stands alone: if
-// the database cannot be read, all others follow from that.
-Error joined(const std::vector<Error>& errors) {
-  const auto data = std::ranges::find_if(errors, is_of_data);
-  if (data != errors.end())
-    return *data;
-  auto all = errors.front();
-  for (std::size_t at = 1; at < errors.size(); ++at) {
-    const auto& error = errors[at];
-    all.message += '\n';
-    if (!error.place.file.empty())
-      all.message += error.place.file + ':' + std::to_string(error.place.line) +
-                     ':' + std::to_string(error.place.column) + ": ";
-    all.message += error.message;
-  }
-  return all;
-}
-
-class GrammarNLU : public NLUPlugin {
+class GrammarNLU : public nlu::RenewedNLU<nlu::NluEngine> {
 protected:
-  // Times such as "in ten minutes" need the present time. If the context does
-  // not give it, the platform's clock does.
-  std::vector<Value> understand(const std::string& text,
-                                const Map& given) const override {
-    auto context = given;
-    if (!context.find("now"))
-      context.set("now", host().clock().now());
-    return engine().understand(text, std::move(context)).acts;
+  std::vector<Value> acts(const nlu::NluEngine& engine, const std::string& text,
+                          const Map& context) const override {
+    return engine.understand(text, context).acts;
   }
 
-  void set_values(const std::string& column,
-                  const List& values) const override {
-    const std::lock_guard one_after_the_other(changing_);
-    if (!columns_.set(column, values))
-      return;
-    auto built = build();
-    if (!built)
-      return host().log("The new values of " + column +
-                        " are not used: " + built.error().message);
-    const std::lock_guard lock(mutex_);
-    engine_ = std::move(*built);
-  }
-
+  // All files are read now: an engine that is made later, for new values, must
+  // not depend on what is being edited then.
   Expected<void> on_start(const Options& options) override {
     for (const auto& described : option_descriptions())
       if (auto fits = check_option(described, option(options, described.name));
           !fits)
         return fits;
-    options_ = options;
-    auto built = build();
-    if (!built)
-      return tl::make_unexpected(built.error());
-    engine_ = std::move(*built);
-    return {};
-  }
-
-private:
-  Expected<nlu::NluEngine> build() const {
     const auto model = host().understanding();
-    auto built = nlu::build_engine(
-        options_, model ? *model : UnderstandingModel(),
-        [this](const std::string& name) {
-          return columns_.read(name, [this](const std::string& column) {
-            return host().column(column);
-          });
-        },
-        host().application_folder());
-    if (!built)
-      return tl::make_unexpected(joined(built.error()));
-    return std::move(*built);
+    auto sources = std::make_shared<const nlu::EngineSources>(
+        nlu::read_sources(options, model ? *model : UnderstandingModel(),
+                          host().application_folder()));
+    return begin([sources = std::move(sources)](const ColumnReader& columns) {
+      return nlu::build_engine(*sources, columns);
+    });
   }
-
-  nlu::NluEngine engine() const {
-    const std::lock_guard lock(mutex_);
-    return *engine_;
-  }
-
-  Options options_;
-  // New values may come in the turns of several sessions.
-  mutable std::mutex changing_; // guards the columns
-  mutable nlu::KnownColumns columns_;
-  mutable std::mutex mutex_;
-  mutable std::optional<nlu::NluEngine> engine_; // from the start on
 };
 
 } // namespace
@@ -219,19 +150,24 @@ read_platform(const Options& options, const std::string& application_folder) {
   return read;
 }
 
+// Everything is read even after an error, so that all errors are reported at
+// once.
+EngineSources read_sources(const Options& options, UnderstandingModel model,
+                           const std::string& application_folder) {
+  EngineSources sources;
+  if (auto platform = read_platform(options, application_folder))
+    sources.platform = std::move(*platform);
+  else
+    sources.errors = std::move(platform.error());
+  read_examples(options, application_folder, model, sources.errors);
+  sources.model = std::move(model);
+  return sources;
+}
+
 tl::expected<NluEngine, std::vector<Error>>
-build_engine(const Options& options, UnderstandingModel model,
-             const ColumnReader& columns,
-             const std::string& application_folder) {
-  // Everything is read even after an error, so that all errors are reported at
-  // once.
-  std::vector<Error> errors;
-  auto platform = read_platform(options, application_folder);
-  if (!platform)
-    errors = platform.error();
-  read_examples(options, application_folder, model, errors);
-  auto built = engine_store().get(
-      model, platform ? std::move(*platform) : NluEngine::Options(), columns);
+build_engine(const EngineSources& sources, const ColumnReader& columns) {
+  auto errors = sources.errors;
+  auto built = engine_store().get(sources.model, sources.platform, columns);
   if (!built)
     errors.insert(errors.end(), built.error().begin(), built.error().end());
   if (!errors.empty())
@@ -239,16 +175,23 @@ build_engine(const Options& options, UnderstandingModel model,
   return built;
 }
 
+tl::expected<NluEngine, std::vector<Error>>
+build_engine(const Options& options, UnderstandingModel model,
+             const ColumnReader& columns,
+             const std::string& application_folder) {
+  return build_engine(
+      read_sources(options, std::move(model), application_folder), columns);
+}
+
 std::vector<LeftOutExample>
 try_examples(const Options& options, UnderstandingModel model,
              const ColumnReader& columns,
              const std::string& application_folder) {
-  std::vector<Error> errors;
-  const auto platform = read_platform(options, application_folder);
-  read_examples(options, application_folder, model, errors);
-  if (!platform || !errors.empty())
+  const auto sources =
+      read_sources(options, std::move(model), application_folder);
+  if (!sources.errors.empty())
     return {};
-  return read_left_out(model, columns, *platform);
+  return read_left_out(sources.model, columns, sources.platform);
 }
 
 } // namespace nlu

@@ -32,7 +32,19 @@ Expected<GrammarModel> read_grammar(const std::string& path);
 tl::expected<NluEngine::Options, std::vector<Error>>
 read_platform(const Options& options, const std::string& application_folder);
 
-// Builds the engine for an application, or returns all errors.
+// All that an engine is built from but the values of columns.
+struct EngineSources {
+  UnderstandingModel model; // with the examples of the application's file
+  NluEngine::Options platform;
+  std::vector<Error> errors; // why something of it is missing
+};
+EngineSources read_sources(const Options& options, UnderstandingModel model,
+                           const std::string& application_folder);
+
+// Builds the engine for an application, or returns all errors, those of the
+// sources first.
+tl::expected<NluEngine, std::vector<Error>>
+build_engine(const EngineSources& sources, const ColumnReader& columns);
 tl::expected<NluEngine, std::vector<Error>>
 build_engine(const Options& options, UnderstandingModel model,
              const ColumnReader& columns,

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <fstream>
 
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
@@ -39,7 +40,24 @@ TEST_F(KeywordNluTest, AnswersAsTheRoleDoes) {
   EXPECT_THAT(answer_to("DoNLU", {"where is Spot"}), HasSubstr("FrameInfo {"));
   EXPECT_EQ(answer_to("DoNLU", {"the weather"}), "NoResult the weather");
   EXPECT_EQ(answer_to("DoNLU", {}), "NoResult ");
-  EXPECT_THAT(answer_to("Sing", {}), HasSubstr("Failed KeywordNLU does not"));
+  EXPECT_THAT(answer_to("Sing", {}), HasSubstr("Failed NLU does not know"));
+}
+
+// As every plug-in of the role: a list is no text.
+TEST_F(KeywordNluTest, UnderstandsTextsOnly) {
+  ASSERT_TRUE(start(nlu::desk_xml));
+  EXPECT_EQ(answer_to("DoNLU", {Value(List{"where is Spot"})}), "NoResult ");
+}
+
+TEST_F(KeywordNluTest, UnderstandsTheNewValuesOfAColumn) {
+  ASSERT_TRUE(start(nlu::desk_xml));
+  EXPECT_THAT(answer_to("DoNLU", {"where is Zelda"}),
+              testing::Not(HasSubstr("value: Zelda")));
+  std::filesystem::remove(folder.path() / "keywords.xml");
+  plugin->receive(test::message("SetValues", {"db:robot.name", List{"Zelda"}}));
+  EXPECT_THAT(host.logs, testing::IsEmpty());
+  EXPECT_THAT(answer_to("DoNLU", {"where is Zelda"}),
+              HasSubstr("value: Zelda"));
 }
 
 TEST_F(KeywordNluTest, SaysWhatIsWrongWithItsRules) {
@@ -47,7 +65,7 @@ TEST_F(KeywordNluTest, SaysWhatIsWrongWithItsRules) {
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().place.line, 2u);
   EXPECT_THAT(wrong.error().message,
-              HasSubstr("keywords.xml:3: <a> is not known here"));
+              HasSubstr("keywords.xml:3:1: <a> is not known here"));
 }
 
 TEST_F(KeywordNluTest, NeedsItsRulesInTheApplicationsFolder) {

@@ -109,6 +109,22 @@ TEST_F(GrammarNLU, LearnsExamplesOfAFile) {
   EXPECT_EQ(host_.events[0].params[0]["topic"].text(), "Taxi");
 }
 
+// New values make a new engine of what was read at the start, whatever is being
+// edited meanwhile.
+TEST_F(GrammarNLU, ReadsItsFilesOnce) {
+  const parlour::test::TemporaryFolder folder;
+  host_.application = folder.path().string();
+  folder.write("more.tsv", "Taxi\tI want to be driven\n");
+  ASSERT_TRUE(start({{"platform", platform_}, {"examples", "more.tsv"}}));
+  folder.write("more.tsv", "Taxy\n");
+  plugin_->receive(parlour::test::message(
+      "SetValues", {"db:staff.name", List{"Zelda Quill"}}));
+  EXPECT_TRUE(host_.logs.empty());
+  plugin_->receive(parlour::test::message("DoNLU", {"I want to be driven"}));
+  ASSERT_EQ(host_.events.size(), 1U);
+  EXPECT_EQ(host_.events[0].params[0]["topic"].text(), "Taxi");
+}
+
 TEST_F(GrammarNLU, TellsAllThatIsWrongAtOnce) {
   const parlour::test::TemporaryFolder folder;
   host_.application = folder.path().string();

@@ -32,6 +32,40 @@ Value Word::value() const {
   return text;
 }
 
+namespace {
+
+// The reader takes a backslash away from any character.
+std::string quoted_text(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char each : text) {
+    if (each == '"' || each == '\\')
+      quoted += '\\';
+    quoted += each;
+  }
+  return quoted + '"';
+}
+
+// 10 is the same as '10', and yet another value.
+bool are_alike(const Value& one, const Value& other) {
+  return one.type() == other.type() && one == other;
+}
+
+bool is_one_word(std::string_view text) {
+  return !text.empty() && text.front() != '\'' && text.front() != '"' &&
+         text.find_first_of(" \t\r\n") == std::string_view::npos;
+}
+
+} // namespace
+
+std::optional<std::string> written(const Value& value) {
+  if (value.if_list() || value.if_map() || value.if_result())
+    return std::nullopt;
+  auto text = to_string(value);
+  if (is_one_word(text) && are_alike(Word{text, false}.value(), value))
+    return text;
+  return value.if_string() ? std::optional(quoted_text(text)) : std::nullopt;
+}
+
 DirectiveReader::DirectiveReader(std::string_view text)
     : rest_(trimmed(text)) {}
 

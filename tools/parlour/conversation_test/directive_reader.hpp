@@ -20,6 +20,10 @@ struct Word {
   Value value() const;
 };
 
+// The word as it is written in a line, so that the reader gives this value
+// again; nothing for a list, a map or anything else that no word can be.
+std::optional<std::string> written(const Value& value);
+
 class DirectiveReader {
 public:
   explicit DirectiveReader(std::string_view text);

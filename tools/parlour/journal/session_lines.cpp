@@ -1,10 +1,12 @@
 #include "tools/parlour/journal/session_lines.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/parlour/conversation_test/directive_reader.hpp"
 #include "tools/parlour/talk/trace.hpp"
 
 namespace parlour::tools {
@@ -31,21 +33,20 @@ std::string object(const std::string& session, const LinePlace& place,
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// As conversation files write a value.
-// With quotes where it has blanks or is empty, as the reader of tests wants it.
-std::string written(const Value& value) {
-  const auto text = to_string(value);
-  return text.find_first_of(" \t\"") == std::string::npos && !text.empty()
-             ? text
-             : Json(text).dump();
-}
-
-// 'event Speaker Finished 4 "" true': what a conversation file has for it.
-std::string event_line(const Message& message) {
+// 'event Speaker Finished 4 "" true': what a conversation file has for it. A
+// value that no such line can hold is told in a line before.
+std::vector<std::string> event_lines(const Message& message) {
+  std::vector<std::string> lines;
   auto line = "event " + message.source + " " + message.command;
-  for (const auto& param : message.params)
-    line += " " + written(param);
-  return line;
+  for (const auto& param : message.params) {
+    const auto word = written(param);
+    line += " " + word.value_or("unknown");
+    if (!word)
+      lines.push_back("# Of the next line, 'unknown' was " +
+                      as_one_line(to_string(param)));
+  }
+  lines.push_back(as_one_line(line));
+  return lines;
 }
 
 } // namespace
@@ -65,7 +66,7 @@ SessionLines::heading(const dialogue::SessionHistory& history,
   }
   case LineForm::test:
     return {"# Session " + history.id + ".",
-            format_timestamp(begins, "clock %Y-%m-%d %H:%M"),
+            format_timestamp(begins, "clock %Y-%m-%d %H:%M:%S"),
             fmt::format("seed {}", history.opened.seed)};
   case LineForm::json:
     break;
@@ -75,13 +76,13 @@ SessionLines::heading(const dialogue::SessionHistory& history,
 
 // In a test time does not pass by itself: a pause becomes a `wait`.
 SessionLines::Lines SessionLines::with_wait(const LinePlace& place,
-                                            std::string line) {
+                                            Lines of_input) {
   Lines lines;
   const auto pause = place.now - last_.value_or(place.now);
   if (form_ == LineForm::test && pause >= shortest_wait)
     lines.push_back(fmt::format("wait {}ms", pause));
   last_ = place.now;
-  lines.push_back(std::move(line));
+  std::ranges::move(of_input, std::back_inserter(lines));
   return lines;
 }
 
@@ -90,7 +91,7 @@ SessionLines::Lines SessionLines::user(const LinePlace& place,
                                        const std::string& words) {
   if (form_ == LineForm::json)
     return {object(session_, place, "message", "user", words)};
-  return with_wait(place, "U: " + as_one_line(words));
+  return with_wait(place, {"U: " + as_one_line(words)});
 }
 
 std::string SessionLines::hidden(const LinePlace& place) const {
@@ -115,7 +116,7 @@ SessionLines::Lines SessionLines::event(const LinePlace& place,
   case LineForm::transcript:
     return {};
   case LineForm::test:
-    return with_wait(place, as_one_line(event_line(message)));
+    return with_wait(place, event_lines(message));
   case LineForm::json:
     break;
   }

@@ -53,7 +53,7 @@ public:
   std::string hidden(const LinePlace& place) const;
 
 private:
-  Lines with_wait(const LinePlace& place, std::string line);
+  Lines with_wait(const LinePlace& place, Lines of_input);
 
   const LineForm form_;
   std::string session_;

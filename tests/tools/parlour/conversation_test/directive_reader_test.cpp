@@ -46,6 +46,26 @@ TEST(Word, is_a_truth_value_or_unknown) {
   EXPECT_FALSE((Word{"unknown", true}.value().is_unknown()));
 }
 
+TEST(Word, is_written_as_it_is_read) {
+  for (const Value& value : std::initializer_list<Value>{
+           "", "left", "the left one", "4006381", "007", "10", "-1.50", "true",
+           "unknown", "'s", "\"", "a\\b", "a \"b\" \\ c", 12, 0.5, true,
+           Value()}) {
+    const auto word = written(value);
+    ASSERT_TRUE(word) << to_string(value);
+    const auto line = *word + " behind";
+    DirectiveReader reader(line);
+    const auto read = reader.word()->value();
+    EXPECT_EQ(read, value) << *word;
+    EXPECT_EQ(read.type(), value.type()) << *word;
+    EXPECT_EQ(reader.rest(), "behind") << *word;
+  }
+  EXPECT_EQ(written("left"), "left");
+  EXPECT_EQ(written("10"), "\"10\"");
+  EXPECT_FALSE(written(List{1}));
+  EXPECT_FALSE(written(Map()));
+}
+
 TEST(Sides, are_split_at_the_first_or_last_equals) {
   EXPECT_EQ(split_at_first_equals("a.b = c = d")->left, "a.b");
   EXPECT_EQ(split_at_last_equals("x where y = 1 = 2")->left, "x where y = 1");

@@ -47,6 +47,17 @@ TEST_F(SessionLinesTest, ATestWaitsAsTheUserDid) {
               ElementsAre("event Door Opened \"the left one\" 2"));
 }
 
+// A scanner's text of digits is no number when the test is run.
+TEST_F(SessionLinesTest, ATestHasTheValuesOfTheSession) {
+  SessionLines lines(LineForm::test);
+  EXPECT_THAT(lines.heading(history, 1'795'251'607'000)[1], HasSubstr(":07"));
+  door.params = {"4006381", "true", Value(), List{1, "a"}};
+  EXPECT_THAT(
+      lines.event({1, 0}, door),
+      ElementsAre("# Of the next line, 'unknown' was [1, a]",
+                  R"(event Door Opened "4006381" "true" unknown unknown)"));
+}
+
 TEST_F(SessionLinesTest, JsonHasEachInput) {
   SessionLines lines(LineForm::json);
   EXPECT_THAT(lines.heading(history, 0), IsEmpty());

@@ -47,6 +47,7 @@ bool contains(BuiltinCall& call) {
 bool append(BuiltinCall& call) {
   if (!call[0].is_list())
     return call.wrong_type(0, "a list");
+  call.changes();
   return call.machine.append(call[0], call[1]) && call.give(call[0]);
 }
 
@@ -69,6 +70,7 @@ bool insert(BuiltinCall& call) {
       !call.machine.check(std::move(ring)) ||
       !call.values(list->elements.size()))
     return false;
+  call.changes();
   list->elements.insert(list->elements.begin() + at, call[2]);
   return call.give(call[0]);
 }
@@ -76,6 +78,7 @@ bool insert(BuiltinCall& call) {
 // Removes a key of a map or a position of a list, and returns the value.
 bool remove(BuiltinCall& call) {
   Box removed;
+  call.changes();
   if (call[0].is_map()) {
     std::string key;
     return call.text(1, key) && call.values(call[0].map()->entries.size()) &&
@@ -152,6 +155,7 @@ bool sort(BuiltinCall& call) {
                                           direction + "'");
   if (!charge_sort(call, elements))
     return false;
+  call.changes();
   if (sort_integers(elements, direction == "descending"))
     return call.give(call[0]);
   auto before = [&](const Box& a, const Box& b) {
@@ -171,6 +175,7 @@ bool reverse(BuiltinCall& call) {
   ListObject* list = nullptr;
   if (!call.list(0, list) || !call.values(list->elements.size()))
     return false;
+  call.changes();
   std::reverse(list->elements.begin(), list->elements.end());
   return call.give(call[0]);
 }

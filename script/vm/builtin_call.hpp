@@ -63,6 +63,12 @@ struct BuiltinCall {
   bool give_number(double value);
   bool give_flag(bool value);
 
+  // To be called before an argument, a list or map, is changed in place
+  // (Machine::writes).
+  void changes() {
+    ++machine.writes;
+  }
+
   // Charge fuel by the price of WalkBudget (language rule 9.6). False after
   // raising an error: the fuel is used up.
   bool bytes(std::size_t number) {

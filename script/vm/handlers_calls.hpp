@@ -48,6 +48,7 @@ PARLOUR_INLINE bool get_field(Machine& m, Cursor& c) {
 PARLOUR_INLINE bool set(Machine& m, Cursor& c, const Box& key) {
   const auto& container = c.r[c.pc->a];
   const auto& value = c.r[c.pc->c];
+  ++m.writes;
   if (container.is_map() && key.is_string() && value.is_simple()) {
     charge_text(m, *key.string());
     if (auto* there = container.map()->find(*key.string())) [[likely]] {
@@ -96,6 +97,7 @@ PARLOUR_INLINE bool new_array(Machine& m, Cursor& c) {
 PARLOUR_INLINE bool append(Machine& m, Cursor& c) {
   const auto& list = c.r[c.pc->a];
   const auto& value = c.r[c.pc->b];
+  ++m.writes;
   if (list.is_list() && value.is_simple()) {
     auto& elements = list.list()->elements;
     if (elements.size() < elements.capacity()) [[likely]] {

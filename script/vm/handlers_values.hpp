@@ -83,8 +83,10 @@ PARLOUR_INLINE bool load_parameter(Machine&, Cursor& c) {
 }
 
 // Into the bound variable, if there is one.
-PARLOUR_INLINE bool store_parameter(Machine&, Cursor& c) {
-  c.r[c.pc->a].resolved() = c.r[c.pc->b];
+PARLOUR_INLINE bool store_parameter(Machine& m, Cursor& c) {
+  auto& parameter = c.r[c.pc->a];
+  m.writes += parameter.is_reference();
+  parameter.resolved() = c.r[c.pc->b];
   return next(c);
 }
 
@@ -106,6 +108,7 @@ PARLOUR_INLINE bool load_variable(Machine& m, Cursor& c) {
 }
 
 PARLOUR_INLINE bool store_variable(Machine& m, Cursor& c) {
+  ++m.writes;
   m.variables[c.pc->b] = c.r[c.pc->a];
   return next(c);
 }

@@ -68,6 +68,7 @@ Expected<void> Interpreter::initialise(std::size_t index, Host& host) {
   const auto code = program().variables[index].initial;
   if (code == no_code)
     return {};
+  ++implementation_->writes;
   if (implementation_->begins_as_known(index))
     return {};
   auto value = evaluate(code, {}, {}, host);
@@ -121,6 +122,10 @@ void Interpreter::new_event() {
   implementation_->new_event();
 }
 
+void Interpreter::charge_bytes(std::size_t bytes) {
+  implementation_->charge_event(WalkBudget::price_of_bytes(bytes));
+}
+
 void Interpreter::limit_instructions(std::uint64_t instructions) {
   implementation_->instructions = instructions;
 }
@@ -135,7 +140,12 @@ Value Interpreter::variable(std::size_t index) const {
 }
 
 void Interpreter::set_variable(std::size_t index, Value value) {
+  ++implementation_->writes;
   implementation_->variables[index] = to_box(implementation_->heap(), value);
+}
+
+std::uint64_t Interpreter::writes() const {
+  return implementation_->writes;
 }
 
 std::string

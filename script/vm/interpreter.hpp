@@ -124,6 +124,9 @@ public:
                            ActivationContext context, Host& host);
 
   void new_event(); // refills the fuel (limits.instructions)
+  // Takes fuel for work on so many bytes that is done for the scripts of the
+  // event (language rule 9.6). If it is used up, the script that runs notices.
+  void charge_bytes(std::size_t bytes);
   // Replaces limits.instructions of the settings, from the next event on.
   void limit_instructions(std::uint64_t instructions);
 
@@ -131,6 +134,9 @@ public:
   // Session variables by their index in Program::variables.
   Value variable(std::size_t index) const;
   void set_variable(std::size_t index, Value value);
+  // How often session variables, or lists and maps, which may be in them, were
+  // changed. While it stays the same, so do the variables.
+  std::uint64_t writes() const;
 
   // The whole state as bytes: session variables, remaining fuel, and the given
   // activations, which this interpreter must have started and none of which may

@@ -157,6 +157,13 @@ public:
     take(price);
     return fuel > 0 || goes_on_beyond_slice();
   }
+  // Charges the event for work that is done for it outside of its scripts.
+  void charge_event(std::size_t price) {
+    if (execution)
+      take(price);
+    else
+      left_ -= std::min<std::uint64_t>(left_, price);
+  }
   // Charges without looking whether the fuel is used up; the next loop or call
   // does.
   void take(std::size_t price) {
@@ -274,6 +281,9 @@ public:
   // The session variables, by their index in Program::variables; missing: see
   // variable().
   std::vector<Box> variables;
+  // How often a session variable, or a list or map, which may be in one, was
+  // changed.
+  std::uint64_t writes = 0;
   // The run in progress. RunScope saves and restores these members.
   Host* host = nullptr;
   Execution* execution = nullptr;

@@ -160,6 +160,7 @@ void Machine::copy_out(CallFrame& frame) {
   std::erase_if(*pending, [&](const CopyOut& copy) {
     if (copy.frame != &frame)
       return false;
+    ++writes;
     variables[copy.variable] = frame.registers()[copy.parameter];
     return true;
   });

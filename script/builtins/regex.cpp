@@ -33,11 +33,39 @@ const RE2& compiled(const std::string& pattern) {
   return *cache.front();
 }
 
+// What the program of an expression has to do with its size. One that is
+// refused as too large was compiled until it had about this many steps; what is
+// no expression at all was only read.
+constexpr std::size_t most_steps = 10'000;
+
+std::size_t steps_of(const RE2& expression) {
+  if (expression.ok())
+    return static_cast<std::size_t>(expression.ProgramSize());
+  return expression.error_code() == RE2::ErrorPatternTooLarge
+             ? most_steps
+             : expression.pattern().size();
+}
+
+// Charges the compiling of an expression, which takes about as long as this
+// many instructions for each step. It is charged whether or not this thread has
+// it in its cache, as a script's fuel may not depend on that (architecture rule
+// 1), but not where the expression is written in the script: of these there are
+// few, and loops use them again and again.
+bool pay_for_compiling(BuiltinCall& call, const RE2& expression) {
+  constexpr std::size_t instructions_of_a_step = 16;
+  const bool is_written =
+      expression.ok() && call[1].is_string() && !call[1].object()->heap;
+  return is_written ||
+         call.machine.charge(steps_of(expression) * instructions_of_a_step);
+}
+
 const RE2* expression(BuiltinCall& call, std::string& text) {
   std::string pattern;
   if (!call.text(0, text) || !call.text(1, pattern))
     return nullptr;
   const auto& found = compiled(pattern);
+  if (!pay_for_compiling(call, found))
+    return nullptr;
   if (!found.ok()) {
     call.fail(ErrorKind::type,
               "'" + pattern +
@@ -46,7 +74,7 @@ const RE2* expression(BuiltinCall& call, std::string& text) {
   }
   // In the worst case each character is matched against each step of the
   // program, so the fuel charged is their product.
-  const auto steps = static_cast<std::size_t>(found.ProgramSize()) / 2;
+  const auto steps = steps_of(found) / 2;
   return call.bytes(steps + text.size() * (4 + steps)) ? &found : nullptr;
 }
 

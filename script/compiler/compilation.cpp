@@ -8,6 +8,14 @@
 
 namespace parlour::script {
 
+Names without_variables(const Compilation& compilation) {
+  auto names = compilation.names;
+  std::erase_if(names.variables, [&](const auto& entry) {
+    return !compilation.program.variables[entry.second].is_constant;
+  });
+  return names;
+}
+
 std::vector<std::string> split_names(const std::string& text) {
   std::vector<std::string> names;
   for (std::size_t start = 0; start <= text.size();) {

@@ -25,6 +25,10 @@ struct Compilation {
   std::vector<std::string> raised{}; // events that a <fire> raises
 };
 
+// The names that code outside of sessions sees: phrases and routes have no
+// variables, only constants.
+Names without_variables(const Compilation& compilation);
+
 // Splits "a, b" at commas and trims the parts.
 std::vector<std::string> split_names(const std::string& text);
 

@@ -75,20 +75,19 @@ void check_slot(const Element& phrase, const Compilation& compilation) {
 // Such braces are text elsewhere (language rule 4.4), but a phrase would be
 // spoken with them (language rule 12.7).
 void check_braces(const Element& phrase, std::string_view text,
-                  const Compilation& compilation) {
+                  const Names& names, Findings& findings) {
   const auto at = plain_brace(text);
   if (at == std::string_view::npos)
     return;
-  const KnownNames known{[&](const auto& name) {
-                           return std::ranges::count(parameters, name) > 0 ||
-                                  compilation.names.variables.count(name) > 0;
-                         },
-                         [&](const auto& name) {
-                           return compilation.names.functions.count(name) > 0;
-                         }};
+  const KnownNames known{
+      [&](const auto& name) {
+        return std::ranges::count(parameters, name) > 0 ||
+               names.variables.count(name) > 0;
+      },
+      [&](const auto& name) { return names.functions.count(name) > 0; }};
   const auto mistake =
       text[at] == '{' ? explain_brace(text, at, known, true) : std::nullopt;
-  compilation.findings.add(
+  findings.add(
       {Severity::error,
        {phrase.text_position, at, mistake ? mistake->length : 1, true},
        mistake ? "this brace would be said aloud, as what is inside is no "
@@ -112,6 +111,8 @@ const std::vector<std::string>& say_acts() {
 
 void compile_phrases(const Element& phrases, const FunctionNames* functions,
                      Compilation& compilation) {
+  const auto names = without_variables(compilation);
+  BodyCompiler bodies(compilation.program, names, compilation.findings);
   for (const auto& element : phrases.children) {
     check_act(*element.attribute("act"), compilation.findings);
     check_topic(element, compilation);
@@ -124,12 +125,11 @@ void compile_phrases(const Element& phrases, const FunctionNames* functions,
     phrase.topic = element.value("topic");
     phrase.slot = element.value("slot");
     if (const auto* condition = element.attribute("if"))
-      phrase.condition =
-          compilation.bodies.expression(*condition, context, parameters);
+      phrase.condition = bodies.expression(*condition, context, parameters);
     const auto words = collapsed(element.text);
-    check_braces(element, words, compilation);
-    phrase.text = compilation.bodies.text(words, element.text_position, context,
-                                          parameters);
+    check_braces(element, words, names, compilation.findings);
+    phrase.text =
+        bodies.text(words, element.text_position, context, parameters);
     phrase.position = element.position;
     compilation.program.phrases.push_back(std::move(phrase));
   }

@@ -13,21 +13,12 @@ namespace parlour::script {
 
 namespace {
 
-// The message centre has no session, so it sees constants only.
-Names without_variables(const Names& names, const Program& program) {
-  auto result = names;
-  std::erase_if(result.variables, [&](const auto& entry) {
-    return !program.variables[entry.second].is_constant;
-  });
-  return result;
-}
-
-// Routes have a body compiler of their own, which knows fewer names.
+// Routes have a body compiler of their own, which knows fewer names: the
+// message centre has no session.
 class RouteCompiler {
 public:
   explicit RouteCompiler(Compilation& compilation)
-      : compilation_(compilation),
-        names_(without_variables(compilation.names, compilation.program)),
+      : compilation_(compilation), names_(without_variables(compilation)),
         bodies_(compilation.program, names_, compilation.findings) {
     context_.handles_message = true;
     context_.name = "routes";

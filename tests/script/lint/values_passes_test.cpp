@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
         Linted{"<var name='v' expr='1'/><function name='main'><set name='v' "
                "expr='2'/></function>",
                "3:12 unread-variable"},
-        Linted{"<var name='v' expr='1'/><phrases><phrase "
+        Linted{"<const name='v' expr='1'/><phrases><phrase "
                "act='help'>{v}</phrase></phrases>",
                ""},
         Linted{"<function name='main'><var name='v' expr='1'/></function>",

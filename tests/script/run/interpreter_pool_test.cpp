@@ -42,6 +42,53 @@ TEST(InterpreterPool, OnlyComputes) {
             "a test can only compute a test can only compute ");
 }
 
+// What one session's phrase sets is not what another one's reads.
+TEST(InterpreterPool, ForgetsWhatAFunctionSets) {
+  EXPECT_EQ(result_of("<var name='n' expr='0'/><function name='main'>"
+                      "<set name='n' expr='n + 1'/><return expr='n'/>"
+                      "</function>"),
+            "1 1 ");
+  EXPECT_EQ(
+      result_of(
+          "<var name='n' expr='0'/><function name='set'>"
+          "<param name='x'/>"
+          "<set name='x' expr='x + 1'/></function>"
+          "<function name='main'><call function='set'><var expr='n'/></call>"
+          "<return expr='n'/></function>"),
+      "1 1 ");
+}
+
+TEST(InterpreterPool, ForgetsWhatAFunctionChangesInAList) {
+  const auto twice = [](const std::string& change) {
+    return result_of("<const name='l' expr='[2, 1]'/><function name='main'>"
+                     "<var name='own' expr='l'/>" +
+                     change + "<return expr='l'/></function>");
+  };
+  EXPECT_EQ(twice("<append name='own' expr='3'/>"), "[2, 1, 3] [2, 1, 3] ");
+  EXPECT_EQ(twice("<set name='own[0]' expr='own[0] + 1'/>"), "[3, 1] [3, 1] ");
+  for (const auto* change : {"append(l, 3)", "insert(l, 2, 3)"})
+    EXPECT_EQ(twice("<set name='own' expr=\"" + std::string(change) + "\"/>"),
+              "[2, 1, 3] [2, 1, 3] ");
+  EXPECT_EQ(twice("<set name='own' expr='remove(l, 0)'/>"), "[1] [1] ");
+  EXPECT_EQ(twice("<set name='own' expr='reverse(l)'/>"), "[1, 2] [1, 2] ");
+}
+
+// Not that of whoever came first.
+TEST(InterpreterPool, KnowsTheTimeOfItsCaller) {
+  const auto outcome = test::compile_declarations(
+      "<const name='began' expr='now()'/>"
+      "<function name='main'><return expr='began'/></function>");
+  ASSERT_TRUE(outcome.program);
+  const InterpreterPool pool(outcome.program);
+  std::string times;
+  for (const Timestamp now : {5, 7}) {
+    ComputingHost host("a test", now);
+    const auto code = outcome.program->functions.at("main");
+    times += pool.evaluate(code, {}, {}, host)->text() + " ";
+  }
+  EXPECT_EQ(times, "0.005 0.007 ");
+}
+
 } // namespace
 
 } // namespace parlour::script

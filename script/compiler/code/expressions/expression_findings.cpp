@@ -17,11 +17,21 @@ bool is_slot(const std::string& name, const BodyContext& context) {
 }
 
 // Whether a session variable of this name exists although it is not visible:
-// code of <routes> sees none of them.
+// code of <routes> and <phrases> sees none of them.
 bool is_of_session(const std::string& name, const Program& program) {
   return std::ranges::any_of(program.variables, [&](const auto& variable) {
     return variable.name == name;
   });
+}
+
+std::string of_session(const std::string& quoted, const BodyContext& context) {
+  return quoted +
+         (context.handles_message
+              ? " is a variable of a session, and this sees the message and "
+                "constants (<const>) only"
+              : " is a variable of a session, and a phrase sees act, topic, "
+                "slot, data and constants (<const>) only; what the script says "
+                "can give it: <say act=\"…\" data=\"…\"/>");
 }
 
 } // namespace
@@ -58,9 +68,7 @@ void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
   if (name == "this")
     return error(node, source, "'this' is followed by a slot: this.Name");
   if (is_of_session(name, b_.program))
-    return error(node, source,
-                 quoted + " is a variable of a session, and this sees the "
-                          "message and constants (<const>) only");
+    return error(node, source, of_session(quoted, b_.context));
   if (is_slot(name, b_.context))
     return error(node, source,
                  quoted + " is not declared; the topic's slot is this." + name,

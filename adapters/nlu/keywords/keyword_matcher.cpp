@@ -116,7 +116,7 @@ private:
   }
 
   // The generic act that was said; empty if there is none or it is in doubt. A
-  // yes counts only if nothing else is said (adapters/nlu/parse/doubt.hpp); any
+  // yes counts only if nothing else is said (adapters/nlu/acts/doubt.hpp); any
   // other wish goes before it.
   std::string plain_act() const {
     const auto wish = std::ranges::find_if(said_, [](const Said& one) {

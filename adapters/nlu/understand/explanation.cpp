@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "adapters/nlu/parse/act_value.hpp"
+#include "adapters/nlu/acts/act_value.hpp"
 
 namespace parlour::adapters::nlu {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "adapters/nlu/acts/chain.hpp"
 #include "adapters/nlu/parse/built_act.hpp"
-#include "adapters/nlu/parse/chain.hpp"
 #include "adapters/nlu/understand/trained_model.hpp"
 
 namespace parlour::adapters::nlu {

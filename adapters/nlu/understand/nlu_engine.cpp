@@ -8,17 +8,17 @@
 
 #include <fmt/format.h>
 
+#include "adapters/nlu/acts/act_value.hpp"
+#include "adapters/nlu/acts/acts.hpp"
+#include "adapters/nlu/acts/choice.hpp"
+#include "adapters/nlu/acts/correction.hpp"
+#include "adapters/nlu/acts/taken_back.hpp"
 #include "adapters/nlu/grammar/automaton_builder.hpp"
 #include "adapters/nlu/grammar/examples.hpp"
 #include "adapters/nlu/grammar/merged_states.hpp"
-#include "adapters/nlu/parse/act_value.hpp"
-#include "adapters/nlu/parse/acts.hpp"
-#include "adapters/nlu/parse/choice.hpp"
-#include "adapters/nlu/parse/correction.hpp"
 #include "adapters/nlu/parse/island_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/parse/preferences.hpp"
-#include "adapters/nlu/parse/taken_back.hpp"
 #include "adapters/nlu/parse/unmatched_values.hpp"
 #include "adapters/nlu/text/words.hpp"
 #include "adapters/nlu/understand/explanation.hpp"

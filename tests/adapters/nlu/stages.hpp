@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "adapters/nlu/acts/acts.hpp"
 #include "adapters/nlu/grammar/automaton_builder.hpp"
-#include "adapters/nlu/parse/acts.hpp"
 #include "tests/adapters/nlu/sample.hpp"
 
 namespace parlour::adapters::nlu::test {

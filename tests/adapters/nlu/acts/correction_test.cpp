@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapters/nlu/parse/correction.hpp"
+#include "adapters/nlu/acts/correction.hpp"
 #include "tests/adapters/nlu/sample.hpp"
 
 namespace parlour::adapters::nlu::test {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapters/nlu/parse/amounts.hpp"
+#include "adapters/nlu/acts/amounts.hpp"
 
 namespace parlour::adapters::nlu {
 namespace {

@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/doubt.hpp"
+#include "adapters/nlu/acts/doubt.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapters/nlu/parse/chain.hpp"
+#include "adapters/nlu/acts/chain.hpp"
 
 namespace parlour::adapters::nlu {
 namespace {

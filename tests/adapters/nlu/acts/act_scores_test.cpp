@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapters/nlu/parse/act_scores.hpp"
+#include "adapters/nlu/acts/act_scores.hpp"
 #include "tests/adapters/nlu/stages.hpp"
 
 namespace parlour::adapters::nlu::test {

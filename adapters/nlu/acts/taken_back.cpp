@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/taken_back.hpp"
+#include "adapters/nlu/acts/taken_back.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/act_scores.hpp"
+#include "adapters/nlu/acts/act_scores.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -1,10 +1,10 @@
-#include "adapters/nlu/parse/act_value.hpp"
+#include "adapters/nlu/acts/act_value.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "adapters/nlu/parse/amounts.hpp"
+#include "adapters/nlu/acts/amounts.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 
 namespace parlour::adapters::nlu {

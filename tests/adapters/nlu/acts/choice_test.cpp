@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/choice.hpp"
+#include "adapters/nlu/acts/choice.hpp"
 #include "tests/adapters/nlu/stages.hpp"
 
 namespace parlour::adapters::nlu::test {

@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/act_value.hpp"
+#include "adapters/nlu/acts/act_value.hpp"
 #include "tests/adapters/nlu/stages.hpp"
 
 namespace parlour::adapters::nlu::test {

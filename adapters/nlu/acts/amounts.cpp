@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/amounts.hpp"
+#include "adapters/nlu/acts/amounts.hpp"
 
 #include <algorithm>
 #include <array>

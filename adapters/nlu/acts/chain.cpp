@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/chain.hpp"
+#include "adapters/nlu/acts/chain.hpp"
 
 #include <algorithm>
 #include <functional>

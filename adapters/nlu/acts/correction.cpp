@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/correction.hpp"
+#include "adapters/nlu/acts/correction.hpp"
 
 #include <algorithm>
 #include <optional>

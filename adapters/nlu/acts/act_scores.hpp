@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "adapters/nlu/acts/chain.hpp"
 #include "adapters/nlu/grammar/utterance.hpp"
 #include "adapters/nlu/parse/built_act.hpp"
-#include "adapters/nlu/parse/chain.hpp"
 
 namespace parlour::adapters::nlu {
 

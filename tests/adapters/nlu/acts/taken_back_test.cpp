@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapters/nlu/parse/taken_back.hpp"
+#include "adapters/nlu/acts/taken_back.hpp"
 #include "tests/adapters/nlu/sample.hpp"
 
 namespace parlour::adapters::nlu::test {

@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/asides.hpp"
+#include "adapters/nlu/acts/asides.hpp"
 
 #include <algorithm>
 #include <utility>

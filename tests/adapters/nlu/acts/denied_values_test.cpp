@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapters/nlu/parse/denied_values.hpp"
+#include "adapters/nlu/acts/denied_values.hpp"
 #include "tests/adapters/nlu/sample.hpp"
 
 namespace parlour::adapters::nlu::test {

@@ -1,4 +1,4 @@
-#include "adapters/nlu/parse/denied_values.hpp"
+#include "adapters/nlu/acts/denied_values.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
-#include "adapters/nlu/parse/acts.hpp"
+#include "adapters/nlu/acts/acts.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "adapters/nlu/parse/act_scores.hpp"
-#include "adapters/nlu/parse/asides.hpp"
-#include "adapters/nlu/parse/denied_values.hpp"
-#include "adapters/nlu/parse/doubt.hpp"
+#include "adapters/nlu/acts/act_scores.hpp"
+#include "adapters/nlu/acts/asides.hpp"
+#include "adapters/nlu/acts/denied_values.hpp"
+#include "adapters/nlu/acts/doubt.hpp"
 
 namespace parlour::adapters::nlu {
 

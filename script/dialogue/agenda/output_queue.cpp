@@ -78,6 +78,7 @@ std::span<const Output> OutputQueue::release_pending() {
     last_turn_.clear();
     cut_.clear();
   }
+  forget_what_is_too_much();
   const auto before = last_turn_.size();
   for (auto entry = entries_.begin(); entry != waits; ++entry) {
     if (was_answered(*entry))
@@ -87,6 +88,17 @@ std::span<const Output> OutputQueue::release_pending() {
   }
   entries_.erase(entries_.begin(), waits);
   return std::span(last_turn_).subspan(before);
+}
+
+// Ids rise in the order of releases.
+void OutputQueue::forget_what_is_too_much() {
+  if (last_turn_.size() <= most_repeated)
+    return;
+  last_turn_.erase(last_turn_.begin(),
+                   last_turn_.end() - std::ptrdiff_t{most_repeated});
+  std::erase_if(cut_, [&](const auto& entry) {
+    return entry.first < last_turn_.front().id;
+  });
 }
 
 // Who says a wish twice in one turn hears its answer once.
@@ -106,7 +118,9 @@ bool OutputQueue::empty() const {
 // far as it was heard.
 std::vector<std::string> OutputQueue::last_turn() const {
   std::vector<std::string> texts;
-  for (const auto& output : last_turn_) {
+  const auto count = std::min(last_turn_.size(), most_repeated);
+  for (const auto& output :
+       std::span(last_turn_).subspan(last_turn_.size() - count)) {
     const auto cut =
         std::find_if(cut_.begin(), cut_.end(), [&](const auto& entry) {
           return entry.first == output.id;

@@ -97,7 +97,8 @@ public:
 
   bool empty() const; // nothing waits for words or release
   // The texts of the last robot turn as far as they were heard, for "repeat".
-  // Nothing of an output that was not heard at all.
+  // Nothing of an output that was not heard at all, and of many only the newest
+  // `most_repeated`.
   std::vector<std::string> last_turn() const;
   // An output of that turn; null where it is none of them.
   const Output* released(OutputId id) const;
@@ -114,12 +115,18 @@ public:
   }
 
 private:
+  // More than a robot says in one turn (architecture rule 5).
+  static constexpr std::size_t most_repeated = 64;
+
   std::vector<Output> withdraw(const Which& which); // of the questions
+  void forget_what_is_too_much();
   std::span<const Output> release_pending();
   bool was_answered(const Output& output) const;
 
   ShortLivedList<Output> entries_;
-  ShortLivedList<Output> last_turn_; // of the robot, as they were released
+  // Of the robot, as they were released: the newest, and what was released at
+  // once with them.
+  ShortLivedList<Output> last_turn_;
   std::vector<std::pair<OutputId, std::string>>
       cut_; // of these, what was heard
   bool fresh_turn_ = true;

@@ -129,6 +129,7 @@ bool ConversationImplementation::has_work() const {
 void ConversationImplementation::begin_event() {
   inbox.external_event_begins();
   interpreter.new_event();
+  output.event_begins();
 }
 
 // Outputs first: by the time of this step, whatever was in the mailbox is in
@@ -356,6 +357,7 @@ void ConversationImplementation::watch_silence() {
     else
       stop_silence();
   } else if (!inbox.has_internal() && !inbox.has_message(Inbox::Of::all)) {
+    output.falls_silent();
     watch_nobody();
   }
 }

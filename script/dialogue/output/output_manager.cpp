@@ -235,6 +235,8 @@ bool OutputManager::release() {
     inspect(output, "withdrawn");
     question_.withdrawn(output);
   }
+  if (!result.released.empty())
+    silent_since_.reset();
   for (const auto& output : result.released) {
     inspect(output, "released");
     playing_.push_back({output.id, output.interruptible});
@@ -252,6 +254,12 @@ void OutputManager::voice(const Output& output) {
                     {output.text, static_cast<std::int64_t>(output.id),
                      output.interruptible},
                     0);
+}
+
+void OutputManager::event_begins() {
+  const auto enough = context_.program->settings.sessions.no_input_after;
+  if (silent_since_ && context_.now - *silent_since_ >= enough.count())
+    turn_begins();
 }
 
 void OutputManager::withdraw_questions() {

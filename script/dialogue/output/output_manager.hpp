@@ -103,6 +103,14 @@ public:
     queue_.turn_begins();
     failed_phrases_.clear();
   }
+  // Nothing goes on since now, unless it did not before either.
+  void falls_silent() {
+    if (!silent_since_)
+      silent_since_ = context_.now;
+  }
+  // Something happens: after a silence that is long enough to be no answer,
+  // what it leads to is another robot turn (engine rule 3.6).
+  void event_begins();
   bool said_anything() const {
     return !queue_.last_turn().empty();
   }
@@ -159,7 +167,7 @@ public:
   void serialize(Archive& archive) {
     archive.without(context_, reactions_, messenger_, timers_, question_);
     archive(queue_, wording_, uses_, made_, told_, failed_phrases_, playing_,
-            interrupted_, taken_up_, changed_, apologies_);
+            interrupted_, taken_up_, changed_, apologies_, silent_since_);
   }
 
 private:
@@ -220,6 +228,8 @@ private:
   // A release is worth while.
   bool changed_ = false;
   Apologies apologies_;
+  // Since the last release; none: it was not silent yet.
+  std::optional<Timestamp> silent_since_;
 };
 
 } // namespace parlour::dialogue

@@ -24,6 +24,28 @@ std::vector<std::string> texts(std::span<const Output> outputs) {
 
 using Texts = std::vector<std::string>;
 
+// A robot that nobody answers speaks on and on.
+TEST(OutputQueue, RemembersTheNewestOfALongTurn) {
+  OutputQueue queue;
+  for (int i = 1; i <= 200; ++i) {
+    const auto id = queue.push(make(OutputAct::answer, std::to_string(i)));
+    queue.release(false);
+    queue.cut(id, "part of " + std::to_string(i));
+  }
+  EXPECT_EQ(queue.last_turn().size(), 64u);
+  EXPECT_EQ(queue.last_turn().front(), "part of 137");
+  EXPECT_EQ(queue.last_turn().back(), "part of 200");
+  EXPECT_FALSE(queue.released(100));
+}
+
+TEST(OutputQueue, ReleasesAllOfWhatIsSaidAtOnce) {
+  OutputQueue queue;
+  for (int i = 1; i <= 200; ++i)
+    queue.push(make(OutputAct::answer, std::to_string(i)));
+  EXPECT_EQ(queue.release(false).released.size(), 200u);
+  EXPECT_EQ(queue.last_turn().size(), 64u);
+}
+
 TEST(OutputQueue, ReleasesInOrder) {
   OutputQueue queue;
   EXPECT_TRUE(queue.empty());

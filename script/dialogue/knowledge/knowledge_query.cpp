@@ -21,11 +21,6 @@ bool is_filled(const TopicFrame& frame, SlotId slot) {
          frame.slots[slot].status == SlotStatus::filled;
 }
 
-// A <by> without a match of its own has the slot's.
-Match match_of(const script::Topic& topic, const QueryBy& by) {
-  return by.match == Match::equal ? topic.slots[by.slot].match : by.match;
-}
-
 // Text is compared without regard to case in every database, so both sides are
 // made lower case. Values are bound, never pasted in (engine rule 6.2); a
 // pattern of `like` as well, with its own signs escaped.
@@ -45,6 +40,10 @@ std::string condition(const QueryBy& by, Match match, const Value& value,
 }
 
 } // namespace
+
+Match match_of(const script::Topic& topic, const QueryBy& by) {
+  return by.match == Match::equal ? topic.slots[by.slot].match : by.match;
+}
 
 KnowledgeQuery::KnowledgeQuery(const script::Topic& topic, FramePointer frame)
     : topic_(&topic), frame_(std::move(frame)) {}

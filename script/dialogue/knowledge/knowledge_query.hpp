@@ -12,6 +12,9 @@
 
 namespace parlour::dialogue {
 
+// How the column is compared: a <by> without a match of its own has the slot's.
+script::Match match_of(const script::Topic& topic, const script::QueryBy& by);
+
 struct Statement {
   std::string kind; // db, facts, aiml, ontology
   std::string name; // which database or fact table; may be empty

@@ -14,7 +14,6 @@ namespace parlour::dialogue {
 namespace {
 
 using script::Match;
-using script::QueryBy;
 
 struct Condition {
   std::string column;
@@ -49,8 +48,7 @@ std::vector<Condition> conditions_of(const script::Topic& topic,
     const auto& relaxed = statement.relaxed;
     if (!value.is_unknown() &&
         std::find(relaxed.begin(), relaxed.end(), slot.name) == relaxed.end())
-      conditions.push_back(
-          {by.column, by.match == Match::equal ? slot.match : by.match, value});
+      conditions.push_back({by.column, match_of(topic, by), value});
   }
   return conditions;
 }

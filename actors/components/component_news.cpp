@@ -75,20 +75,25 @@ void ComponentNews::answer_by_failure(const Service& service,
 }
 
 // All in one batch: a script hears "AgentOffline" before the failed answer
-// makes it say something.
+// makes it say something. Of one that leaves it hears the answers only: another
+// of its name may serve by now.
 void ComponentNews::tell_available(const Service& service, bool is_available,
                                    std::vector<Message> unanswered) const {
   if (!answers_ || service.over)
     return;
-  Message news;
-  news.source = "System";
-  news.command = is_available ? "AgentOnline" : "AgentOffline";
-  news.params = {service.name()};
-  news.session = service.scope->session();
-  auto messages =
-      failure_answers(service, unanswered, "is not available any more");
-  messages.insert(messages.begin(), std::move(news));
-  parts_.bus.publish(std::move(messages));
+  std::vector<Message> messages;
+  if (service.state != ServiceState::leaving) {
+    auto& news = messages.emplace_back();
+    news.source = "System";
+    news.command = is_available ? "AgentOnline" : "AgentOffline";
+    news.params = {service.name()};
+    news.session = service.scope->session();
+  }
+  for (auto& answer :
+       failure_answers(service, unanswered, "is not available any more"))
+    messages.push_back(std::move(answer));
+  if (!messages.empty())
+    parts_.bus.publish(std::move(messages));
 }
 
 // Where the scope is over nobody can be answered: the messages are shown as

@@ -33,10 +33,6 @@ direct_of(const std::shared_ptr<Instance>& instance) {
   return {instance, plugin};
 }
 
-std::size_t wanted_instances(const Component& component) {
-  return component.order.policy.scope.instances;
-}
-
 } // namespace
 
 // -- events -------------------------------------------------------------------
@@ -193,7 +189,8 @@ void RunningInstances::fill_up(const ServicePointer& service) {
       ids, [&](auto id) { return state_of(id) == InstanceState::stopping; });
   if (one_stops || closed_)
     return;
-  for (auto i = ids.size(); i < wanted_instances(*service->component); ++i)
+  const auto wanted = service->component->order.policy.scope.instances;
+  for (auto i = ids.size(); i < wanted; ++i)
     make_instance(service);
 }
 
@@ -247,7 +244,8 @@ bool RunningInstances::has_read_language(const Service& service) const {
 }
 
 // A remote agent that goes away is no failure: the plug-in that stands for it
-// stays. What it was asked and what waits in its mailbox is answered at once.
+// stays. What it was asked and what waits in its mailbox is answered at once;
+// what waits where one leaves is left to whoever has that mailbox then.
 void RunningInstances::available(InstanceId id, bool is_available) {
   const auto found = entries_.find(id);
   if (found == entries_.end())
@@ -260,8 +258,9 @@ void RunningInstances::available(InstanceId id, bool is_available) {
   if (is_available)
     return news_.tell_available(service, true);
   auto unanswered = found->second.instance->context->take_pending();
-  for (auto& job : service.component->mailbox->take_all())
-    unanswered.push_back(*job.message);
+  if (service.state != ServiceState::leaving)
+    for (auto& job : service.component->mailbox->take_all())
+      unanswered.push_back(*job.message);
   news_.tell_available(service, false, std::move(unanswered));
 }
 

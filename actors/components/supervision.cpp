@@ -225,9 +225,12 @@ void Supervision::failed_inline(const component_failed& what) {
                    {{ErrorKind::settings, what.reason, {}}});
 }
 
-// No transition of any table: it concerns the routing alone.
+// No transition of any table: it concerns the routing alone. One that leaves
+// may owe nothing any more, now that it has been answered for.
 void Supervision::available(const component_available& what) {
   running_.available(what.instance, what.is_available);
+  departures_.idle(what.instance);
+  take_reports();
 }
 
 void Supervision::watch(const watch_instance& what) {

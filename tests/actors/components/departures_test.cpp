@@ -56,6 +56,33 @@ TEST_F(DeparturesTest, TheNewOneBeginsWhenTheOldOneHasFinished) {
   EXPECT_THAT(others, ElementsAre("City is up.", "Luxury for work"));
 }
 
+// It speaks of itself only: what waits in the mailbox is the new one's, which
+// serves.
+TEST_F(DeparturesTest, TheOldOneMayBecomeUnavailable) {
+  options.components = {
+      component("City", "Taxi", [](auto& self, const Message&) {
+        self.host().after(1s, [&self] { self.host().available(false); });
+      })};
+  shelf->put(taxi("Luxury"));
+  start(std::string(load_and_ask) + R"xml(
+    <handler name="News"><messages><component><System>
+      <AgentOffline><log param="offline {_LPARAM1}"/></AgentOffline>
+    </System></component></messages></handler>)xml");
+  EXPECT_THAT(say({"home"}), IsEmpty());
+  std::vector<std::string> others;
+  const auto other = node->open_seat(
+      {[&](const auto&, const auto& output) { others.push_back(output.text); },
+       {}});
+  node->enter(other, {"load Luxury as City", "work"});
+  node->run_until_quiet();
+  heard();
+  node->advance(1s);
+  node->run_until_quiet();
+  EXPECT_THAT(said(), ElementsAre("Refused: City: is not available any more"));
+  EXPECT_THAT(others, ElementsAre("City is up.", "Luxury for work"));
+  EXPECT_THAT(heard(), IsEmpty());
+}
+
 TEST_F(DeparturesTest, AnUnloadedOneStillDoesWhatWaits) {
   options.components = {taxi("City")};
   start(load_and_ask);

@@ -66,8 +66,7 @@ session_actor::behavior_type over(Self self) {
   return traced<session_actor::behavior_type>(
       trace_of(self), [](const begin_session&) {},
       [=](const deliver& what) {
-        self->send(self->state.parts->manager,
-                   forward{what.messages, what.work});
+        self->state.dialogue->pass_on(what.messages);
       },
       [](const take_step&) {}, [](const timer_due&) {}, [](const wake_up&) {},
       [](const query_outcome&) {}, [](const file_outcome&) {},

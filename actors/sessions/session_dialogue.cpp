@@ -110,11 +110,19 @@ void SessionDialogue::written(std::uint64_t record) {
     keep(dialogue::EffectsDone{*input});
 }
 
-// The record tells a recovery that there is nothing to bring back.
+// The record tells a recovery that there is nothing to bring back. Where it is
+// lost, the end waits for what was said last: else the seat would wait for it.
 void SessionDialogue::close(std::vector<Message> unread) {
   port_->close(std::move(unread));
-  if (kept_.journal)
-    keep(dialogue::SessionClosed());
+  if (!kept_.journal)
+    return;
+  keep(dialogue::SessionClosed());
+  bind_effects();
+}
+
+void SessionDialogue::pass_on(const std::vector<Message>& late) {
+  port_->pass_on(late);
+  bind_effects();
 }
 
 // Between the conversation and its port stands what writes down the port's

@@ -51,6 +51,8 @@ public:
   void turns_done(const TurnMeter::Answered& answered, std::uint64_t turn);
   // It has ended: the manager is told, and what works for it ends.
   void close(std::vector<Message> unread);
+  // What comes after its end is the manager's, as soon as that has been told.
+  void pass_on(const std::vector<Message>& late);
 
   // Where it rests, this brings it back.
   const dialogue::Conversation& conversation() {

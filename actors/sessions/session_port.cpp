@@ -152,10 +152,8 @@ ActorTrace SessionPort::trace_of(const char* kind,
 void SessionPort::start_timer(dialogue::TimerId id, Timestamp due,
                               dialogue::TimerOwner owner) {
   cancel_timer(id);
-  if (owner == dialogue::TimerOwner::engine) {
-    alarm_.set(id, due);
-    return;
-  }
+  if (owner == dialogue::TimerOwner::engine)
+    return alarm_.set(id, due);
   const auto after = std::max(due - time_.now(), Timestamp{0});
   auto entry = time_.due_times.add(due, DueTimes::Of::session);
   auto actor =
@@ -367,6 +365,12 @@ void SessionPort::close(std::vector<Message> unread) {
   perform([this, unread = std::move(unread)] {
     self_->send(parts_->manager, session_gone{id_, time_.work.begin(), unread});
     end_all();
+  });
+}
+
+void SessionPort::pass_on(const std::vector<Message>& late) {
+  perform([this, late] {
+    self_->send(parts_->manager, forward{late, time_.work.begin()});
   });
 }
 

@@ -126,6 +126,8 @@ public:
   std::vector<ActorHandle> children() const;
   // Says that the session is gone, and ends whatever still works for it.
   void close(std::vector<Message> unread);
+  // Then: what comes late may be the seat's next session's.
+  void pass_on(const std::vector<Message>& late);
 
 private:
   // `due`: its entry in NodeTime, removed with it.

@@ -152,7 +152,7 @@ TEST_F(RestingSessionTest, NeverRestsWhereItIsToldSo) {
 
 class JournaledSessionTest : public NodeFixture {
 protected:
-  const std::shared_ptr<test::MemoryJournal> journal =
+  std::shared_ptr<test::MemoryJournal> journal =
       std::make_shared<test::MemoryJournal>();
 
   bool strict = true;
@@ -304,6 +304,38 @@ TEST_F(JournaledSessionTest, WhereNothingCanBeKeptAStrictSessionEnds) {
   say({"hello"});
   journal->is_full = true;
   EXPECT_THAT(say({"hello"}), IsEmpty());
+  EXPECT_TRUE(node->session_at(seat).empty());
+}
+
+// Its end waits for the journal, and a late turn behind it.
+TEST_F(JournaledSessionTest, ALateTurnWaitsForTheEndToBeWritten) {
+  start_with("<speak param='Bye.'/><end/>");
+  journal->writes_at_once = false;
+  EXPECT_THAT(say({"bye"}), IsEmpty());
+  const auto id = node->session_at(seat);
+  EXPECT_THAT(say({"one more"}), IsEmpty());
+  EXPECT_EQ(node->session_at(seat), id);
+  journal->writes_at_once = true;
+  journal->write();
+  node->run_until_quiet();
+  EXPECT_THAT(said(), ElementsAre("Bye.", "Bye."));
+  EXPECT_TRUE(node->session_at(seat).empty());
+}
+
+// It has no room for the end of a session.
+class ForgetsTheEnd : public test::MemoryJournal {
+public:
+  Place append(std::string record) override {
+    const auto read = dialogue::read_record(record).value();
+    is_full |= std::holds_alternative<dialogue::SessionClosed>(read.what);
+    return MemoryJournal::append(std::move(record));
+  }
+};
+
+TEST_F(JournaledSessionTest, AStrictSessionWhoseEndIsLostLeavesItsSeat) {
+  journal = std::make_shared<ForgetsTheEnd>();
+  start_with("<speak param='Bye.'/><end/>");
+  EXPECT_THAT(say({"bye"}), ElementsAre("Bye."));
   EXPECT_TRUE(node->session_at(seat).empty());
 }
 

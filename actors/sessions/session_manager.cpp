@@ -81,8 +81,10 @@ void bring(Self self, const seat_actor& seat, std::vector<Message> turns,
     return leave_unhandled(state.parts->bus, turns);
   if (opens)
     self->send(seat, next_session{id, work});
-  for (auto& turn : turns)
+  for (auto& turn : turns) {
+    state.parts->observer.discretion().goes_on(turn.session, id);
     turn.session = id;
+  }
   self->send(state.sessions.at(seat)->session, deliver{std::move(turns), work});
 }
 

@@ -1,5 +1,7 @@
 #include "actors/support/privacy/discretion.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace parlour::actors {
@@ -97,6 +99,29 @@ void Discretion::ended(const SessionId& session) {
   drop_oldest();
   lock.unlock();
   show_masked(std::move(ready));
+}
+
+// Late messages of the first are masked, too, if it has said anything private.
+void Discretion::goes_on(const SessionId& from, const SessionId& to) {
+  if (!hides() || from == to)
+    return;
+  const std::lock_guard lock(mutex_);
+  const auto found = sessions_.find(from);
+  if (found == sessions_.end())
+    return;
+  if (found->second.is_open)
+    move_turn(found->second, known(to));
+  if (found->second.secrets.secrets().empty())
+    sessions_.erase(found);
+}
+
+void Discretion::move_turn(Session& from, Session& to) {
+  std::ranges::move(std::exchange(from.heard, {}),
+                    std::back_inserter(to.heard));
+  std::ranges::move(std::exchange(from.held, {}), std::back_inserter(to.held));
+  to.hides_turn |= std::exchange(from.hides_turn, false);
+  to.opened = std::max(to.opened, from.opened);
+  to.is_open = std::exchange(from.is_open, false);
 }
 
 Discretion::Session& Discretion::known(const SessionId& session) {

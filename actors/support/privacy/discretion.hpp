@@ -50,6 +50,9 @@ public:
   // What it has received up to the message of that number is understood.
   void settled(const SessionId& session, std::uint64_t received);
   void ended(const SessionId& session);
+  // What was heard for one is another's turn: a seat is named while it has no
+  // session, or a turn came too late for the one before.
+  void goes_on(const SessionId& from, const SessionId& to);
 
   // -- observers -------------------------------------------------------------
 
@@ -84,6 +87,7 @@ private:
 
   // Made anew where it is not known. With the lock held, as all below.
   Session& known(const SessionId& session);
+  static void move_turn(Session& from, Session& to);
   Ready taken(Inspection seen);
   Ready end_turn(Session& session);
   Secrets note_private_turn(Session& session);

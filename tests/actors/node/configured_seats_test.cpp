@@ -115,6 +115,35 @@ TEST_F(ConfiguredSeatsTest, OpenForWhatAComponentOfNoSeatSays) {
   EXPECT_NE(node->session_at("desk"), "");
 }
 
+// Nothing that the session does with the words is shown before it has said that
+// they are private (engine rule 7.6).
+TEST_F(ConfiguredSeatsTest, WhatOpensAConversationThereMayBePrivate) {
+  class Ear : public IPlugin {
+    Expected<void> on_start(const Options&) override {
+      host().after(1s, [this] { fire_event("RecognitionResult", {"4711"}); });
+      return {};
+    }
+    void on_message(const Message&) override {}
+  };
+  auto ear = taxi("Ear", "desk");
+  ear.factory.description.roles = {"ASR"};
+  ear.factory.create = [] { return std::make_unique<Ear>(); };
+  options.components = {ear, answering("Parser", "NLU", "FrameInfo")};
+  start(R"xml(
+    <var name="pin" expr="''" private="true"/>
+    <handler name="H"><messages><component><ASR><RecognitionResult>
+      <post module="NLU" command="Parse" param="_LPARAM1"/>
+      <set name="pin" expr="_LPARAM1"/>
+      <speak param="Thanks."/>
+    </RecognitionResult></ASR></component></messages></handler>)xml",
+        two_seats);
+  node->advance(1s);
+  node->run_until_quiet();
+  EXPECT_THAT(said(), ElementsAre("Thanks."));
+  EXPECT_THAT(ways_of("Parse"), ElementsAre(HasSubstr("Parse(***")));
+  EXPECT_THAT(ways_of("RecognitionResult"), ElementsAre(HasSubstr("(***")));
+}
+
 TEST_F(ConfiguredSeatsTest, CloseAfterTheirOwnTime) {
   start(taxis, two_seats, "Here");
   next_seat();

@@ -74,6 +74,33 @@ TEST_F(DiscretionTest, ShowsWhatWasSaidWhenItIsUnderstood) {
   EXPECT_THAT(shown(), ElementsAre("ASR.Says(hello)", "greeting"));
 }
 
+// The words opened the session, which says what was private in them.
+TEST_F(DiscretionTest, ATurnMayBecomeAnothersThatIsToUnderstandIt) {
+  see(message("ASR", "pin 4711", 7, "hall"));
+  discretion.goes_on("hall", "s");
+  log("begins");
+  EXPECT_THAT(shown(), IsEmpty());
+  discretion.conceal("s", {"4711"});
+  discretion.settled("s", 7);
+  EXPECT_THAT(shown(), ElementsAre("ASR.Says(***)", "begins"));
+  EXPECT_TRUE(discretion.is_private("pin 4711"));
+  discretion.goes_on("hall", "s"); // nothing was heard there
+  log("goes on");
+  EXPECT_THAT(shown(), ElementsAre("goes on"));
+}
+
+// It comes behind what the other has heard itself, and both are understood.
+TEST_F(DiscretionTest, ALateTurnIsHeldWithThoseOfTheNextSession) {
+  see(message("ASR", "hello", 2, "t"));
+  see(message("ASR", "4711", 1));
+  discretion.goes_on("s", "t");
+  discretion.conceal_turn("t");
+  discretion.settled("t", 1);
+  EXPECT_THAT(shown(), IsEmpty());
+  discretion.settled("t", 2);
+  EXPECT_THAT(shown(), ElementsAre("ASR.Says(***)", "ASR.Says(***)"));
+}
+
 // Who looks when all is over has held nothing back.
 TEST_F(DiscretionTest, MasksAPrivateTurnAfterwards) {
   discretion.pass(message("ASR", "one to three", 1), "session");

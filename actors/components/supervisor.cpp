@@ -2,10 +2,22 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
+#include "actors/components/instance/ask.hpp"
 #include "actors/support/actor_trace.hpp"
 #include "actors/support/tell_status.hpp"
 
 namespace parlour::actors {
+
+namespace {
+
+// Nobody is there to be called back where the host has ended.
+void spawn_ask(supervisor_actor::pointer self, MessageBus* bus,
+               const ask_component& order) {
+  if (auto host = caf::actor_cast<caf::strong_actor_ptr>(order.host))
+    self->spawn(ask, bus, caf::actor_cast<component_host_actor>(host), order);
+}
+
+} // namespace
 
 // What takes its time is answered by a promise, which CAF returns as "not
 // answered yet"; the rest is one call each.
@@ -13,6 +25,7 @@ supervisor_actor::behavior_type
 supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
            SupervisionParts parts) {
   auto& observer = parts.observer;
+  auto* bus = &parts.bus;
   self->state.supervision =
       std::make_unique<Supervision>(self, std::move(parts));
   auto* all = self->state.supervision.get();
@@ -41,6 +54,7 @@ supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
       [=](const watch_instance& what) { all->watch(what); },
       [=](const instance_idle& what) { all->idle(what); },
       [=](const try_again& what) { all->try_again(what); },
+      [=](const ask_component& what) { spawn_ask(self, bus, what); },
       [=](const drain_over& what) { all->drain_over(what); },
       [=](const seat_opened& what) { all->opened(what); },
       [=](const seat_closed& what) { all->closed(what); },

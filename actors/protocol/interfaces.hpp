@@ -17,6 +17,7 @@
 #include <caf/typed_response_promise.hpp>
 
 #include "actors/protocol/actor_status.hpp"
+#include "actors/protocol/ask_component.hpp"
 #include "actors/protocol/component_order.hpp"
 #include "actors/protocol/due_times.hpp"
 #include "actors/protocol/host_calls.hpp"
@@ -335,8 +336,8 @@ using supervisor_actor = caf::typed_actor<
     caf::reacts_to<instance_stopped>, caf::reacts_to<component_failed>,
     caf::reacts_to<component_available>, caf::reacts_to<watch_instance>,
     caf::reacts_to<instance_idle>, caf::reacts_to<try_again>,
-    caf::reacts_to<drain_over>, caf::reacts_to<seat_opened>,
-    caf::reacts_to<seat_closed>,
+    caf::reacts_to<ask_component>, caf::reacts_to<drain_over>,
+    caf::reacts_to<seat_opened>, caf::reacts_to<seat_closed>,
     caf::replies_to<session_begins>::with<session_settled>,
     caf::reacts_to<session_ended>,
     caf::replies_to<change_environment>::with<environment_changed>,

@@ -15,26 +15,26 @@ namespace {
 using Self = query_actor::stateful_pointer<ask_state>;
 
 // True where somebody took the question.
-bool send(Self self, const AskOrder& order) {
+bool send(Self self, const ask_component& order) {
   auto& state = self->state;
   auto request = order.request;
   request.correlation = state.correlation;
   return state.bus->ask(std::move(request), order.work);
 }
 
-std::string asked(const AskOrder& order) {
+std::string asked(const ask_component& order) {
   const auto& sinks = order.request.sinks;
   return sinks.empty() ? std::string() : sinks.front();
 }
 
-Error nobody_there(const AskOrder& order) {
+Error nobody_there(const ask_component& order) {
   return {ErrorKind::offline,
           "nobody fills the role or has the name '" + asked(order) + "'",
           {}};
 }
 
 // "Weather did not answer Forecast in time".
-Error silence(const AskOrder& order) {
+Error silence(const ask_component& order) {
   return {ErrorKind::timeout,
           asked(order) + " did not answer " + order.request.command +
               " in time",
@@ -53,7 +53,7 @@ ask_state::~ask_state() {
 // It wants all events with its correlation, not only the first: one that is
 // neither reply nor refusal, such as progress, ends nothing.
 query_actor::behavior_type ask(Self self, MessageBus* bus,
-                               component_host_actor host, AskOrder order) {
+                               component_host_actor host, ask_component order) {
   self->state.bus = bus;
   self->state.correlation =
       bus->replies().add(query_actor(self), ReplyRegistry::Wants::all);

@@ -2,11 +2,9 @@
 
 #include <utility>
 
-#include <caf/actor_system.hpp>
 #include <caf/send.hpp>
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/components/instance/ask.hpp"
 #include "runtime/message/roles.hpp"
 
 namespace parlour::actors {
@@ -176,9 +174,8 @@ void ComponentContext::send_message(Message message) {
   publish_as_itself(std::move(message));
 }
 
-// In virtual time the actor is spawned on the node's thread, as nothing may run
-// beside it. The due time is added at once: until the answer comes, time must
-// not jump further.
+// The due time is added at once: until the answer comes, time must not jump
+// further.
 void ComponentContext::ask(Message request, Milliseconds patience,
                            Reaction reaction) {
   if (is_closed())
@@ -188,14 +185,10 @@ void ComponentContext::ask(Message request, Milliseconds patience,
   request.rounds = rounds_now();
   const auto id = time_.due_times.add(clock().now() + patience.count(),
                                       DueTimes::Of::component);
-  AskOrder order{std::move(request), patience, caller_back(std::move(reaction)),
-                 std::make_shared<const DueTicket>(time_.due_times, id),
-                 time_.work.begin()};
-  time_.main_thread.post([bus = &bus_, to = host_, order = std::move(order)] {
-    if (auto host = caf::actor_cast<caf::strong_actor_ptr>(to))
-      host->home_system->spawn(
-          actors::ask, bus, caf::actor_cast<component_host_actor>(host), order);
-  });
+  tell_supervisor(ask_component{
+      host_, std::move(request), patience, caller_back(std::move(reaction)),
+      std::make_shared<const DueTicket>(time_.due_times, id),
+      time_.work.begin()});
 }
 
 // The plug-in is called on its host's thread, unless it is closed by then.

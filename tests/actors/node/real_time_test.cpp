@@ -1,3 +1,4 @@
+#include <future>
 #include <thread>
 
 #include "actors/node/scheduler.hpp"
@@ -70,6 +71,41 @@ TEST_F(RealDriveTest, AdvancesAtLeastThatFar) {
   const auto before = std::chrono::steady_clock::now();
   scheduler->advance(3ms);
   EXPECT_GE(std::chrono::steady_clock::now() - before, 3ms);
+}
+
+class RealNodeTest : public NodeFixture {};
+
+// A plug-in's own thread, such as a server's, may outlive the node: it has made
+// nothing there that the node would wait for.
+TEST_F(RealNodeTest, EndsBeforeAThreadThatHasAsked) {
+  std::promise<void> stopped;
+  std::future<bool> has_outlived;
+  options.virtual_start.reset();
+  options.components = {component(
+      "Ear", "NLU", [&](FunctionPlugin& self, const Message& message) {
+        if (message.command != "Listen")
+          return;
+        std::promise<void> has_asked;
+        has_outlived = std::async(std::launch::async, [&] {
+          Message request;
+          request.command = "Help";
+          request.sinks = {"Nobody"};
+          self.host().ask(request, 1min, [](const auto&) {});
+          has_asked.set_value();
+          return stopped.get_future().wait_for(10s) ==
+                 std::future_status::ready;
+        });
+        has_asked.get_future().wait();
+      })};
+  start(R"(<handler name="Pipeline"><messages><component>
+             <ASR><RecognitionResult>
+               <post module="NLU" command="Listen"/>
+             </RecognitionResult></ASR>
+           </component></messages></handler>)");
+  say({"hello"});
+  EXPECT_TRUE(node->stop());
+  stopped.set_value();
+  EXPECT_TRUE(has_outlived.get());
 }
 
 } // namespace

@@ -209,6 +209,18 @@ class RemoteAgentTest(ProgramCase):
         self.said.find("In the hall!")
         self.end()
 
+    def test_an_agent_asks_and_the_program_ends_while_it_is_connected(self):
+        self.run_butler()
+        self.said.find("What can I get for you")
+        porter = parlour_agent.Agent("Porter", self.address)
+        porter.start()
+        self.addCleanup(porter.stop)
+        self.assertTrue(porter.online.wait(WAIT))
+        with self.assertRaises(parlour_agent.Refused) as refused:
+            porter.request("Nobody", "Help")
+        self.assertIn("Nobody", str(refused.exception))
+        self.end()
+
     def test_a_tap_hears_what_robot_and_script_say(self):
         self.run_butler("--taps", "127.0.0.1:0")
         port = self.notes.find(r"taps connect at tcp://127.0.0.1:(\d+)")[1]

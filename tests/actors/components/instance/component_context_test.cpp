@@ -38,6 +38,9 @@ protected:
               [](const watch_instance&) {},
               [](const instance_idle&) {},
               [](const try_again&) {},
+              [this](const ask_component& what) {
+                bench.seen.push_back("is to ask for " + what.request.command);
+              },
               [](const drain_over&) {},
               [](const seat_opened&) {},
               [](const seat_closed&) {},
@@ -174,7 +177,7 @@ TEST_F(PluginDoorTest, TellsWhatAnInstanceSaidThatIsGone) {
   bench.run();
   EXPECT_THAT(bench.seen,
               ElementsAre("1 is not available", "Nose 1 failed: line cut",
-                          "host is to wait"));
+                          "is to ask for Help", "host is to wait"));
 }
 
 TEST_F(PluginDoorTest, ShowsWhatThePlatformShares) {

@@ -65,11 +65,6 @@ void ComponentContext::drain() {
   draining_ = true;
 }
 
-bool ComponentContext::is_closed() const {
-  std::lock_guard lock(mutex_);
-  return closed_;
-}
-
 bool ComponentContext::owes_nothing() {
   std::lock_guard lock(mutex_);
   return pending_requests_.none(clock().now());
@@ -174,11 +169,30 @@ void ComponentContext::send_message(Message message) {
   publish_as_itself(std::move(message));
 }
 
+// False where it is closed, or has too many open: then it hears so as it would
+// hear an answer, which is a delay of its own and bounded as such.
+bool ComponentContext::may_ask(const Reaction& reaction) {
+  std::unique_lock lock(mutex_);
+  if (closed_)
+    return false;
+  if (questions_ < max_questions) {
+    ++questions_;
+    return true;
+  }
+  lock.unlock();
+  after(Milliseconds::zero(), [reaction] {
+    reaction(fail(ErrorKind::limit, "more than " +
+                                        std::to_string(max_questions) +
+                                        " of its questions are open"));
+  });
+  return false;
+}
+
 // The due time is added at once: until the answer comes, time must not jump
 // further.
 void ComponentContext::ask(Message request, Milliseconds patience,
                            Reaction reaction) {
-  if (is_closed())
+  if (!may_ask(reaction))
     return;
   request.source = name_;
   fill_session(request);
@@ -197,10 +211,18 @@ ComponentContext::caller_back(Reaction reaction) {
   return [context = weak_from_this(),
           reaction = std::move(reaction)](Expected<Message> outcome) {
     if (auto alive = context.lock())
-      alive->after(
-          Milliseconds::zero(),
-          [reaction, outcome = std::move(outcome)] { reaction(outcome); });
+      alive->call_back(Milliseconds::zero(),
+                       [context, reaction, outcome = std::move(outcome)] {
+                         if (auto asker = context.lock())
+                           asker->answered();
+                         reaction(outcome);
+                       });
   };
+}
+
+void ComponentContext::answered() {
+  std::lock_guard lock(mutex_);
+  --questions_;
 }
 
 void ComponentContext::failed(const std::string& reason) {
@@ -215,10 +237,30 @@ void ComponentContext::available(bool is_available) {
 
 // -- its delays ---------------------------------------------------------------
 
-// The message holds the ticket, so that the due time ends with it, if the host
-// is gone by then.
+// False where it has so many already. The supervisor is told once; until it is
+// replaced, whatever it says is dropped.
+bool ComponentContext::may_wait() {
+  std::unique_lock lock(mutex_);
+  if (delays_.size() < max_delays)
+    return true;
+  const bool is_told = std::exchange(flooded_, true);
+  lock.unlock();
+  if (!is_told)
+    failed("it wants to be called back more than " +
+           std::to_string(max_delays) + " times at once");
+  return false;
+}
+
 PluginHost::DelayId ComponentContext::after(Milliseconds delay,
                                             std::function<void()> action) {
+  constexpr DelayId none = 0;
+  return may_wait() ? call_back(delay, std::move(action)) : none;
+}
+
+// The message holds the ticket, so that the due time ends with it, if the host
+// is gone by then.
+PluginHost::DelayId ComponentContext::call_back(Milliseconds delay,
+                                                std::function<void()> action) {
   const auto id = time_.due_times.add(clock().now() + delay.count(),
                                       DueTimes::Of::component);
   auto due = std::make_shared<const DueTicket>(time_.due_times, id);

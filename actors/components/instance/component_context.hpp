@@ -36,6 +36,12 @@ struct ContextParts {
 class ComponentContext : public PluginHost,
                          public std::enable_shared_from_this<ComponentContext> {
 public:
+  // The bounds of architecture rule 5. A question is open until its plug-in has
+  // been called back; one too many is refused. Who wants one delay too many
+  // counts as broken.
+  static constexpr std::size_t max_questions = 10'000;
+  static constexpr std::size_t max_delays = 10'000;
+
   // The component's name, what it says of itself, and which place the instance
   // is for: what it says by itself belongs to the session there.
   ComponentContext(const ContextParts& parts, std::string name,
@@ -95,7 +101,8 @@ private:
   // With the lock held.
   std::uint32_t rounds_of_event(Timestamp now) const;
   std::uint32_t rounds_now() const;
-  bool is_closed() const;
+  bool may_ask(const Reaction& reaction);
+  bool may_wait();
   void reads_language() const;
   // Also after it was closed: the supervisor ignores what comes of an instance
   // that is gone.
@@ -103,6 +110,8 @@ private:
   void tell_supervisor(What what);
   void report_idle();
   std::function<void(Expected<Message>)> caller_back(Reaction reaction);
+  void answered();
+  DelayId call_back(Milliseconds delay, std::function<void()> action);
 
   NodeTime& time_;
   MessageBus& bus_;
@@ -122,6 +131,7 @@ private:
   std::uint32_t rounds_ = 0; // of what it was given last, at that time
   Timestamp given_ = 0;
   PendingRequests pending_requests_;
+  std::size_t questions_ = 0; // that are open
   // The token of a message that the plug-in has finished. The next event that
   // it fires takes it over: all threads count tokens in one place, so that
   // dropping one and taking another would cost more than anything else here.

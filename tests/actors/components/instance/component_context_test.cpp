@@ -40,6 +40,7 @@ protected:
               [](const try_again&) {},
               [this](const ask_component& what) {
                 bench.seen.push_back("is to ask for " + what.request.command);
+                asked.push_back(what);
               },
               [](const drain_over&) {},
               [](const seat_opened&) {},
@@ -54,6 +55,7 @@ protected:
   }
 
   Bench bench;
+  std::vector<ask_component> asked;
   SharedEnvironment environment;
   ComponentContext context{{bench.time, bench.bus, bench.observer, environment},
                            "Ear",
@@ -178,6 +180,48 @@ TEST_F(PluginDoorTest, TellsWhatAnInstanceSaidThatIsGone) {
   EXPECT_THAT(bench.seen,
               ElementsAre("1 is not available", "Nose 1 failed: line cut",
                           "is to ask for Help", "host is to wait"));
+}
+
+// One too many is refused, and there is room again when one was answered.
+TEST_F(PluginDoorTest, RefusesQuestionsBeyondABound) {
+  const auto nose = std::make_shared<ComponentContext>(
+      ContextParts{bench.time, bench.bus, bench.observer, environment,
+                   supervisor_probe()},
+      "Nose", PluginDescription{"Nose", {}, "smells"}, 1);
+  nose->belongs_to(bench.component_probe("host"));
+  std::vector<ErrorKind> kinds;
+  const auto ask = [&] {
+    nose->ask(event("", "Help"), Milliseconds(5), [&](const auto& outcome) {
+      kinds.push_back(outcome.error().kind);
+    });
+    bench.run();
+  };
+  for (std::size_t i = 0; i < ComponentContext::max_questions; ++i)
+    ask();
+  EXPECT_EQ(asked.size(), ComponentContext::max_questions);
+  EXPECT_THAT(kinds, testing::IsEmpty());
+  ask();
+  EXPECT_EQ(asked.size(), ComponentContext::max_questions);
+  EXPECT_THAT(kinds, ElementsAre(ErrorKind::limit));
+  asked.front().finished(fail(ErrorKind::timeout, "nobody answers"));
+  bench.run();
+  EXPECT_THAT(kinds, ElementsAre(ErrorKind::limit, ErrorKind::timeout));
+  ask();
+  EXPECT_EQ(asked.size(), ComponentContext::max_questions + 1);
+}
+
+TEST_F(PluginDoorTest, AnInstanceThatWantsTooManyDelaysIsBroken) {
+  ComponentContext nose(
+      {bench.time, bench.bus, bench.observer, environment, supervisor_probe()},
+      "Nose", {"Nose", {}, "smells"}, 1);
+  for (std::size_t i = 0; i < ComponentContext::max_delays; ++i)
+    nose.after(Milliseconds(5), [] {});
+  bench.run();
+  EXPECT_THAT(bench.seen, testing::IsEmpty());
+  nose.after(Milliseconds(5), [] {});
+  nose.after(Milliseconds(5), [] {});
+  bench.run();
+  EXPECT_THAT(bench.seen, ElementsAre(testing::StartsWith("Nose 1 failed: ")));
 }
 
 TEST_F(PluginDoorTest, ShowsWhatThePlatformShares) {

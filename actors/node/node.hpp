@@ -5,7 +5,9 @@
 // called from one thread at a time. interrupt() may come from any. In real time
 // the actors run on threads of their own meanwhile; in virtual time they run on
 // the driving thread, inside of these calls, and time stands still between
-// them. Nodes do not know each other: many may run in one process.
+// them. Another thread that has asked for status, metrics or a reload ends
+// before stop(), as CAF's logger belongs to it, too. Nodes do not know each
+// other: many may run in one process.
 #pragma once
 
 #include <functional>

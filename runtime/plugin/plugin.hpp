@@ -57,7 +57,7 @@ public:
   // callback runs once, on the plug-in's own thread, with the first event that
   // ends the request (roles.def) or with an error: Refused or Database if the
   // component refuses, Offline if no component is there, Timeout after
-  // `patience`. It does not run after stop().
+  // `patience`, Limit if too many are open. It does not run after stop().
   using Reaction = std::function<void(Expected<Message>)>;
   virtual void ask(Message request, Milliseconds patience,
                    Reaction reaction) = 0;

@@ -1,7 +1,6 @@
 #include "adapters/nlu/values/value_fits.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/words.hpp"
@@ -158,21 +157,26 @@ double ValueFits::quality(const Found& found, const Posting& posting) const {
   return double(found.similarity) + (whole ? said_wholly : 0.0);
 }
 
-ValueFits::Best& ValueFits::best_of(std::vector<Best>& bests,
-                                    const Found& found,
+ValueFits::Best& ValueFits::best_of(Bests& bests, const Found& found,
                                     const Posting& posting) const {
+  auto& [all, last] = bests;
   const Best way{index_.values_[posting.value].set, found.length,
-                 std::has_single_bit(posting.mask), 0};
-  const auto same = std::ranges::find_if(bests, [&](const Best& best) {
+                 (posting.mask & (posting.mask - 1)) == 0, 0};
+  const auto is_same = [&](const Best& best) {
     return best.set == way.set && best.length == way.length &&
            best.one_word == way.one_word;
-  });
-  return same != bests.end() ? *same : bests.emplace_back(way);
+  };
+  if (last >= all.size() || !is_same(all[last])) {
+    const auto same = std::ranges::find_if(all, is_same);
+    last = static_cast<std::size_t>(same - all.begin());
+    if (same == all.end())
+      all.push_back(way);
+  }
+  return all[last];
 }
 
-std::vector<ValueFits::Best>
-ValueFits::bests(const std::vector<Found>& all) const {
-  std::vector<Best> bests;
+ValueFits::Bests ValueFits::bests(const std::vector<Found>& all) const {
+  Bests bests;
   for (const auto& found : all)
     for (const auto& posting : found.postings)
       if (takes(found, posting)) {
@@ -187,7 +191,7 @@ ValueFits::bests(const std::vector<Found>& all) const {
 std::vector<ValueFits::Fit> ValueFits::fits_at(std::size_t position) const {
   const bool many = !times_.empty();
   const bool light = is_light(tokens_.list[position].word);
-  auto best = many ? bests(found_[position]) : std::vector<Best>();
+  auto best = many ? bests(found_[position]) : Bests();
   const auto is_hopeless = [&](const Found& found, const Posting& posting) {
     const auto heavy = index_.values_[posting.value].heavy;
     return times_[posting.value] == 1 &&

@@ -60,6 +60,12 @@ private:
     bool one_word = false;
     double quality = 0;
   };
+  // The last one that was asked for is asked for again mostly: the values of a
+  // word are sorted by set.
+  struct Bests {
+    std::vector<Best> all;
+    std::size_t last = 0;
+  };
 
   void find();
   void find_at(std::size_t position);
@@ -75,9 +81,8 @@ private:
   bool takes(const Found& found, const Posting& posting) const;
   void count();
   double quality(const Found& found, const Posting& posting) const;
-  std::vector<Best> bests(const std::vector<Found>& all) const;
-  Best& best_of(std::vector<Best>& bests, const Found& found,
-                const Posting& posting) const;
+  Bests bests(const std::vector<Found>& all) const;
+  Best& best_of(Bests& bests, const Found& found, const Posting& posting) const;
   std::vector<Fit> fits_at(std::size_t position) const;
 
   const ValueIndex& index_;

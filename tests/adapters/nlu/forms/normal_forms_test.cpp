@@ -31,7 +31,8 @@ std::string trimmed(const std::string& text) {
 }
 
 std::vector<Line> table() {
-  std::ifstream file(test::source_path("tests/adapters/nlu/forms.txt"));
+  std::ifstream file(
+      parlour::test::source_path("tests/adapters/nlu/forms.txt"));
   std::vector<Line> lines;
   for (std::string line; std::getline(file, line);) {
     const auto colon = line.find(": ");

@@ -31,7 +31,7 @@ protected:
     return wrong;
   }
 
-  test::TemporaryFolder folder_;
+  parlour::test::TemporaryFolder folder_;
   UnderstandingModel model_;
 };
 

@@ -24,14 +24,15 @@ protected:
     return plugin->start(host, {{"rules", "keywords.xml"}});
   }
   std::string answer_to(std::string command, std::vector<Value> params) {
-    plugin->receive(test::message(std::move(command), std::move(params)));
+    plugin->receive(
+        parlour::test::message(std::move(command), std::move(params)));
     const auto event = host.events.back();
     return event.command +
            (event.params.empty() ? "" : ' ' + to_string(event.params.front()));
   }
 
-  test::TemporaryFolder folder;
-  test::FakePluginHost host;
+  parlour::test::TemporaryFolder folder;
+  parlour::test::FakePluginHost host;
   std::unique_ptr<IPlugin> plugin = keyword_nlu_factory().create();
 };
 
@@ -54,7 +55,8 @@ TEST_F(KeywordNluTest, UnderstandsTheNewValuesOfAColumn) {
   EXPECT_THAT(answer_to("DoNLU", {"where is Zelda"}),
               testing::Not(HasSubstr("value: Zelda")));
   std::filesystem::remove(folder.path() / "keywords.xml");
-  plugin->receive(test::message("SetValues", {"db:robot.name", List{"Zelda"}}));
+  plugin->receive(
+      parlour::test::message("SetValues", {"db:robot.name", List{"Zelda"}}));
   EXPECT_THAT(host.logs, testing::IsEmpty());
   EXPECT_THAT(answer_to("DoNLU", {"where is Zelda"}),
               HasSubstr("value: Zelda"));

@@ -22,7 +22,7 @@ protected:
     return plugin_->start(host_, options);
   }
 
-  const std::string platform_ = test::source_path("config/platform");
+  const std::string platform_ = parlour::test::source_path("config/platform");
   parlour::test::FakePluginHost host_;
   std::unique_ptr<IPlugin> plugin_ = grammar_nlu_factory().create();
 };

@@ -5,7 +5,7 @@
 namespace parlour::dialogue {
 
 DialogueContext::DialogueContext(
-    script::Interpreter& interpreter,
+    const script::Interpreter& interpreter,
     std::shared_ptr<const script::Program> the_program,
     ConversationOptions the_options, Port& the_port)
     : program(std::move(the_program)), options(std::move(the_options)),

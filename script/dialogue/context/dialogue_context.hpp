@@ -26,7 +26,7 @@ using script::TopicId;
 // outlives them. Not thread-safe.
 struct DialogueContext {
   // The port and the interpreter must outlive it.
-  DialogueContext(script::Interpreter& interpreter,
+  DialogueContext(const script::Interpreter& interpreter,
                   std::shared_ptr<const script::Program> the_program,
                   ConversationOptions the_options, Port& the_port);
 

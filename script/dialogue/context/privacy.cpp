@@ -1,10 +1,8 @@
 #include "script/dialogue/context/privacy.hpp"
 
-#include <unordered_set>
 #include <utility>
 
 #include "script/spoken/spoken.hpp"
-#include "script/support/estimated_size.hpp"
 
 namespace parlour::dialogue {
 
@@ -24,27 +22,22 @@ std::optional<Decimal> decimal(const Value& value) {
 // A text as it was heard that is too short tells nothing, and would hide much.
 constexpr std::size_t min_heard = 4;
 
-// Calls `with` for each text and number in the value.
-template <class With>
-void for_each_part(const Value& value, const With& with) {
+// Every value in it, as it is printed and as it is spoken: of 4711 also "four
+// seven one one", as a phrase or a voice may say it in that way.
+void collect(const Value& value, const std::string& kind, Timestamp now,
+             std::vector<std::string>& texts) {
   if (const auto* list = value.if_list())
     for (const auto& element : *list)
-      for_each_part(element, with);
+      collect(element, kind, now, texts);
   if (const auto* map = value.if_map())
     for (const auto& entry : map->entries())
-      for_each_part(entry.second, with);
+      collect(entry.second, kind, now, texts);
   if (const auto* result = value.if_result())
     for (const auto& cell : result->cells)
-      for_each_part(cell, with);
-  if (value.if_string() || value.if_integer() || value.if_number())
-    with(value);
-}
-
-// It as it is printed and as it is spoken: of 4711 also "four seven one one",
-// as a phrase or a voice may say it in that way.
-void collect(const Value& part, const std::string& kind, Timestamp now,
-             std::vector<std::string>& texts) {
-  const script::ToSay what{to_string(part), decimal(part), now};
+      collect(cell, kind, now, texts);
+  if (!value.if_string() && !value.if_integer() && !value.if_number())
+    return;
+  const script::ToSay what{to_string(value), decimal(value), now};
   texts.push_back(what.text);
   for (const auto& way : {kind, std::string("number"), std::string("digits")})
     texts.push_back(script::spoken(what, way));
@@ -53,7 +46,7 @@ void collect(const Value& part, const std::string& kind, Timestamp now,
 } // namespace
 
 Privacy::Privacy(const script::Program& program,
-                 script::Interpreter& interpreter, Port& port)
+                 const script::Interpreter& interpreter, Port& port)
     : program_(program), interpreter_(interpreter), port_(port),
       is_needed_(script::has_private(program)) {
   const auto& variables = program.variables;
@@ -63,19 +56,14 @@ Privacy::Privacy(const script::Program& program,
   known_.resize(variables_.size());
 }
 
-// The values are compared, as scripts change lists and maps in place: where
-// they have changed anything.
+// The values are compared, as scripts change lists and maps in place.
 void Privacy::note_variables(Timestamp now) {
-  if (variables_.empty() || writes_ == interpreter_.writes())
-    return;
-  writes_ = interpreter_.writes();
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     auto value = interpreter_.variable(variables_[i]);
-    interpreter_.charge_bytes(script::estimated_size(value));
     if (value == known_[i])
       continue;
-    conceal(value, "", now, known_[i]);
     known_[i] = std::move(value);
+    conceal(known_[i], "", now);
   }
 }
 
@@ -115,18 +103,10 @@ void Privacy::settle(std::uint64_t received) {
     port_.settled(received);
 }
 
-// Of a list that grows only what is new is told: of those that were told, the
-// oldest are forgotten.
 void Privacy::conceal(const Value& value, const std::string& kind,
-                      Timestamp now, const Value& told) {
-  std::unordered_set<std::string> known;
-  for_each_part(told,
-                [&](const Value& part) { known.insert(to_string(part)); });
+                      Timestamp now) {
   std::vector<std::string> texts;
-  for_each_part(value, [&](const Value& part) {
-    if (known.insert(to_string(part)).second)
-      collect(part, kind, now, texts);
-  });
+  collect(value, kind, now, texts);
   if (!texts.empty())
     port_.conceal(texts);
 }

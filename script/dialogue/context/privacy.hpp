@@ -5,8 +5,6 @@
 // costs next to nothing.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,16 +20,15 @@ namespace parlour::dialogue {
 // also occurs elsewhere is hidden there, too.
 class Privacy {
 public:
-  Privacy(const script::Program& program, script::Interpreter& interpreter,
-          Port& port);
+  Privacy(const script::Program& program,
+          const script::Interpreter& interpreter, Port& port);
 
   // Whether anything of the program is private at all.
   bool is_needed() const {
     return is_needed_;
   }
   // Private variables that have changed. Called before anything is shown,
-  // raised or posted, as a script may have set them since. The event pays for
-  // looking at them.
+  // raised or posted, as a script may have set them since.
   void note_variables(Timestamp now);
   // A slot's value, where it is private.
   void note(TopicId topic, SlotId slot, const Value& value, Timestamp now);
@@ -47,26 +44,22 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(program_, interpreter_, port_, is_needed_, variables_,
-                    writes_);
+    archive.without(program_, interpreter_, port_, is_needed_, variables_);
     archive(known_);
     archive.check(known_.size() == variables_.size(),
                   "other variables are private");
   }
 
 private:
-  void conceal(const Value& value, const std::string& kind, Timestamp now,
-               const Value& told = {});
+  void conceal(const Value& value, const std::string& kind, Timestamp now);
 
   const script::Program& program_;
-  script::Interpreter& interpreter_;
+  const script::Interpreter& interpreter_;
   Port& port_;
   const bool is_needed_;
   std::vector<std::size_t> variables_; // the private ones
   // Their values when they were told last, in the same order.
   std::vector<Value> known_;
-  // How often scripts had changed something then; none: not known.
-  std::optional<std::uint64_t> writes_;
 };
 
 } // namespace parlour::dialogue

@@ -34,7 +34,7 @@ TEST_F(Context, ASeatMayCloseSoonerOrLater) {
   of_world.settings =
       "<seat name='desk' closes-after='5s'/><seat name='hall'/>";
   World seats("<state name='A'/>", of_world);
-  script::Interpreter its(seats.program);
+  const script::Interpreter its(seats.program);
   const auto closes_after = [&](const std::string& seat) {
     ConversationOptions options;
     options.seat = seat;

@@ -72,39 +72,6 @@ TEST(Privacy, TellsVariablesWhenTheyChange) {
   EXPECT_THAT(world.secrets, Contains("abc3"));
 }
 
-// Each change of a long list would otherwise push all that is private out of
-// what the port remembers, itself included.
-TEST(Privacy, TellsOfAListWhatIsNew) {
-  PrivateWorld world(R"(<var name="heard" expr="[]" private="true"/>
-      <var name="count" expr="0"/>
-      <handler name="H"><messages><component><Bell><Rings>
-        <append name="heard" expr="_LPARAM1"/>
-        <log param="heard"/><set name="count" expr="count + 1"/><log param="again"/>
-      </Rings></Bell></component></messages></handler>)");
-  world.event("Bell", "Rings", {"first"});
-  EXPECT_THAT(world.secrets, Contains("first"));
-  world.secrets.clear();
-  world.event("Bell", "Rings", {"second"});
-  EXPECT_THAT(world.secrets, Contains("second"));
-  EXPECT_THAT(world.secrets, Not(Contains("first")));
-}
-
-// Language rule 9.6.
-TEST(Privacy, IsPaidForByTheEvent) {
-  PrivateWorld world(
-      R"xml(<var name="all" expr="range(1, 20000)" private="true"/>
-      <handler name="H"><messages><component><Bell>
-        <Rings><for name="i" from="1" to="500"><log param="{i}"/></for></Rings>
-        <Changes><for name="i" from="1" to="500">
-          <set name="all[0]" expr="i"/><log param="{i}"/></for></Changes>
-      </Bell></component></messages></handler>)xml");
-  world.event("Bell", "Rings");
-  EXPECT_THAT(world.seen(InspectionKind::error), testing::IsEmpty());
-  world.event("Bell", "Changes");
-  EXPECT_THAT(world.seen(InspectionKind::error),
-              Contains(testing::HasSubstr("took more than")));
-}
-
 TEST(Privacy, HidesTurnsWhileAPrivateSlotIsAskedFor) {
   PrivateWorld world(vault);
   world.event("ASR", "RecognitionResult", {"hello", 1});

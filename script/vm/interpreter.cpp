@@ -122,10 +122,6 @@ void Interpreter::new_event() {
   implementation_->new_event();
 }
 
-void Interpreter::charge_bytes(std::size_t bytes) {
-  implementation_->charge_event(WalkBudget::price_of_bytes(bytes));
-}
-
 void Interpreter::limit_instructions(std::uint64_t instructions) {
   implementation_->instructions = instructions;
 }

@@ -124,9 +124,6 @@ public:
                            ActivationContext context, Host& host);
 
   void new_event(); // refills the fuel (limits.instructions)
-  // Takes fuel for work on so many bytes that is done for the scripts of the
-  // event (language rule 9.6). If it is used up, the script that runs notices.
-  void charge_bytes(std::size_t bytes);
   // Replaces limits.instructions of the settings, from the next event on.
   void limit_instructions(std::uint64_t instructions);
 

@@ -157,13 +157,6 @@ public:
     take(price);
     return fuel > 0 || goes_on_beyond_slice();
   }
-  // Charges the event for work that is done for it outside of its scripts.
-  void charge_event(std::size_t price) {
-    if (execution)
-      take(price);
-    else
-      left_ -= std::min<std::uint64_t>(left_, price);
-  }
   // Charges without looking whether the fuel is used up; the next loop or call
   // does.
   void take(std::size_t price) {

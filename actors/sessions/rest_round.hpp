@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include <caf/abstract_actor.hpp>
 #include <caf/actor_control_block.hpp>
 
 #include "runtime/base/clock.hpp"

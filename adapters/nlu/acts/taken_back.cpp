@@ -12,8 +12,10 @@ namespace {
 
 // "leave out the chips", "a burger without chips", "cola instead of beer"
 bool takes_back(std::string_view word, std::string_view before) {
-  static const WordSet alone{"not", "without", "scrap", "skip", "minus"};
-  return alone.contains(word) || (word == "out" && before == "leave") ||
+  static const WordSet alone{"not",  "without", "scrap", "skip",
+                             "drop", "forget",  "minus", "cancel"};
+  return alone.contains(word) ||
+         ((word == "out" || word == "off") && before == "leave") ||
          (word == "of" && before == "instead") ||
          (word == "than" && before == "rather") ||
          (word == "about" && before == "forget");
@@ -21,7 +23,8 @@ bool takes_back(std::string_view word, std::string_view before) {
 
 // "A burger and no beer": before a "no" that begins no clause.
 bool leads_to_no(std::string_view word) {
-  static const WordSet words{"no", "and", "but", "oh", "with", "so"};
+  static const WordSet words{"no", "and",  "but",     "oh",
+                             "so", "with", "actually"};
   return words.contains(word);
 }
 
@@ -122,10 +125,14 @@ private:
       --at;
     if (at == 0 || tokens[at].before != Break::none)
       return false;
-    const auto word = std::string_view(tokens[at - 1].word);
-    const bool begins = at == 1 || tokens[at - 1].before != Break::none;
+    const bool no_more = at > 1 && tokens[at - 1].word == "more" &&
+                         tokens[at - 1].before == Break::none &&
+                         tokens[at - 2].word == "no";
+    const auto last = no_more ? at - 2 : at - 1;
+    const auto word = std::string_view(tokens[last].word);
+    const bool begins = last == 0 || tokens[last].before != Break::none;
     const auto before =
-        begins ? std::string_view() : std::string_view(tokens[at - 2].word);
+        begins ? std::string_view() : std::string_view(tokens[last - 1].word);
     return takes_back(word, before) || (word == "no" && at == value.begin &&
                                         (begins || leads_to_no(before)));
   }

@@ -79,6 +79,11 @@ bool is_capital(const Fill& fill, const Utterance& utterance) {
   return fill.begin > 0 && first >= 'A' && first <= 'Z';
 }
 
+bool is_unknown_value(const Fill& fill, const Spans& spans) {
+  return fill.span && spans[*fill.span].unmatched &&
+         is_set(spans[*fill.span].entity);
+}
+
 class Unlikely {
 public:
   Unlikely(const Utterance& utterance, const Spans& spans, const Schema& schema,
@@ -93,8 +98,9 @@ public:
           return is_no_name(fill) || (fill.end < island.end && is_nobody(fill));
         }))
       return true;
-    if (is_whole_clause(island) ||
-        any(island, [&](const Fill& fill) { return is_capital(fill); }))
+    if (is_whole_clause(island) || any(island, [&](const Fill& fill) {
+          return is_capital(fill, utterance_);
+        }))
       return false;
     return !is_anchored(island) || around_.has_others(island) ||
            passes_over(island);
@@ -111,8 +117,7 @@ private:
 
   bool has_only_unknown(const Island& island) const {
     const auto is_unknown = [&](const Fill& fill) {
-      return fill.span && spans_[*fill.span].unmatched &&
-             is_set(spans_[*fill.span].entity);
+      return is_unknown_value(fill, spans_);
     };
     return any(island, is_unknown) &&
            !any(island, [&](const Fill& fill) { return !is_unknown(fill); });
@@ -145,11 +150,7 @@ private:
     return schema_.values().has_people(spans_[*fill.span].entity -
                                        first_set_entity) &&
            fill.begin > 0 && is_determiner(word(fill.begin - 1)) &&
-           !is_capital(fill);
-  }
-
-  bool is_capital(const Fill& fill) const {
-    return nlu::is_capital(fill, utterance_);
+           !is_capital(fill, utterance_);
   }
 
   bool is_in_fill(const Island& island, std::uint32_t at) const {
@@ -237,15 +238,6 @@ void leave_out_pieces_of_values(std::vector<Island>& islands,
     return std::ranges::any_of(island.fills, is_piece);
   });
 }
-
-namespace {
-
-bool is_unknown_value(const Fill& fill, const Spans& spans) {
-  return fill.span && spans[*fill.span].unmatched &&
-         is_set(spans[*fill.span].entity);
-}
-
-} // namespace
 
 bool is_far_fetched(const BuiltAct& act, const Utterance& utterance,
                     const Spans& spans, const Context& context) {

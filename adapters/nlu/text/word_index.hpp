@@ -5,23 +5,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "runtime/base/text/text_map.hpp"
+
 namespace parlour::adapters::nlu {
-
-// A hash table with strings as keys in which a string_view can be looked up
-// without a copy.
-struct TextHash {
-  using is_transparent = void;
-  std::size_t operator()(std::string_view text) const {
-    return std::hash<std::string_view>()(text);
-  }
-};
-
-template <class Value>
-using TextMap =
-    std::unordered_map<std::string, Value, TextHash, std::equal_to<>>;
 
 // The singular of an English noun by rule: "shops" gives "shop". Words are
 // stored and looked up in this form, so that either number finds the other.

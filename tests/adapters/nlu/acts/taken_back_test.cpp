@@ -48,6 +48,16 @@ TEST(TakenBack, IsWhatIsSaidNotToBeWanted) {
   EXPECT_EQ(ordered("a burger and chips, no beer"), "inform burger chips");
 }
 
+TEST(TakenBack, IsSaidInManyWays) {
+  for (const auto* how :
+       {"drop the", "forget the", "leave out the", "leave off the", "scrap the",
+        "no", "no more", "actually no"})
+    EXPECT_EQ(ordered(std::string("a cola, a burger and a beer, oh, ") + how +
+                      " beer"),
+              "inform cola burger")
+        << how;
+}
+
 TEST(TakenBack, IsDeniedWhereItMayHaveBeenSaidEarlier) {
   EXPECT_EQ(ordered("a burger without chips", "Order"),
             "deny chips + inform burger");

@@ -21,15 +21,15 @@ namespace parlour::adapters {
 
 // The version of the protocol, which `hello` tells. Both sides must have the
 // same.
-inline constexpr std::int64_t ipc_protocol = 2;
+inline constexpr std::int64_t ipc_protocol = 3;
 
 // The kinds: name, fields, a sentence. A field with `?` may be unknown.
 // clang-format off
 #define PARLOUR_IPC_MESSAGES(X) \
   X(hello, "protocol, plug-in", "the process is there: the first it says") \
   X(refuse, "error", "the same where it cannot: and its last") \
-  X(start, "now, real time?, options, data folder, application folder, " \
-           "understanding, phrases?", "call: start the plug-in") \
+  X(start, "now, real time?, options, data folder, application folder", \
+    "call: start the plug-in") \
   X(handle, "now, message", "call: a message for the plug-in") \
   X(run, "now, delay", "call: a delay is over") \
   X(answer, "now, question, error?, message", \
@@ -46,8 +46,10 @@ inline constexpr std::int64_t ipc_protocol = 2;
   X(failed, "reason", "the plug-in says that it is broken") \
   X(available, "yes or no", "whether the plug-in can take messages now") \
   X(column, "question, name", "asks for a column's values") \
+  X(language, "question", \
+    "asks what the scripts say: understanding, phrases?") \
   X(phrase, "question, what to say", "asks for words: a rendering") \
-  X(reply, "question, error?, value", "the answer to either")
+  X(reply, "question, error?, value", "the answer to these three")
 // clang-format on
 
 enum class IpcKind : std::uint8_t {

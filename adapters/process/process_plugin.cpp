@@ -63,6 +63,7 @@ private:
   void cancel(Id delay);
   void run(Id delay);
   Expected<Value> column(const std::string& name) const;
+  Value language() const;
   Value phrase(const Value& say) const;
 
   Value now() const {
@@ -144,13 +145,8 @@ List ProcessPlugin::start_fields(const Options& options) const {
   // The process reads a real clock itself. A virtual clock is told with each
   // call.
   const bool real = dynamic_cast<const SystemClock*>(&host().clock());
-  return {now(),
-          real,
-          to_value(options),
-          host().data_folder(),
-          host().application_folder(),
-          to_value(host().understanding()),
-          host().phrases() != nullptr};
+  return {now(), real, to_value(options), host().data_folder(),
+          host().application_folder()};
 }
 
 void ProcessPlugin::on_message(const Message& message) {
@@ -228,6 +224,8 @@ Expected<void> ProcessPlugin::take(ComponentProcess& process,
     return {};
   case IpcKind::column:
     return reply(process, message, column(message.at(1).text()));
+  case IpcKind::language:
+    return reply(process, message, language());
   case IpcKind::phrase:
     return reply(process, message, phrase(message.at(1)));
   default:
@@ -282,6 +280,12 @@ void ProcessPlugin::cancel(Id delay) {
 Expected<Value> ProcessPlugin::column(const std::string& name) const {
   return host().column(name).map(
       [](const std::vector<std::string>& values) { return to_value(values); });
+}
+
+// Only when it is asked for: whoever has read it is started anew when the
+// scripts change (Supervision::change).
+Value ProcessPlugin::language() const {
+  return List{to_value(host().understanding()), host().phrases() != nullptr};
 }
 
 Value ProcessPlugin::phrase(const Value& say) const {

@@ -30,12 +30,6 @@ Expected<Options> RemoteHost::begin(const IpcMessage& start) {
   real_time_ = static_cast<bool>(start.at(1));
   data_folder_ = start.at(3).text();
   application_folder_ = start.at(4).text();
-  auto understanding = understanding_from(start.at(5));
-  if (!understanding)
-    return tl::make_unexpected(understanding.error());
-  understanding_ = std::move(*understanding);
-  if (start.at(6))
-    phrases_ = std::make_shared<Phrases>(*this);
   return options_from(start.at(2));
 }
 
@@ -112,6 +106,25 @@ void RemoteHost::answered(const IpcMessage& reply) {
 Expected<std::vector<std::string>>
 RemoteHost::column(const std::string& name) const {
   return inquire(IpcKind::column, name).and_then(texts_from);
+}
+
+const RemoteHost::Language& RemoteHost::language() const {
+  std::call_once(has_asked_, [this] { language_ = ask_language(); });
+  return language_;
+}
+
+RemoteHost::Language RemoteHost::ask_language() const {
+  const auto answer = inquire(IpcKind::language, {});
+  if (!answer && answer.error().kind == ErrorKind::offline)
+    return {};
+  auto understanding = answer.and_then(
+      [](const Value& told) { return understanding_from(told.at(0)); });
+  if (!understanding)
+    throw std::runtime_error(understanding.error().message);
+  Language language{std::move(*understanding), nullptr};
+  if (answer->at(1))
+    language.phrases = std::make_shared<Phrases>(*this);
+  return language;
 }
 
 // -- other components ---------------------------------------------------------

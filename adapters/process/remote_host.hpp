@@ -50,10 +50,10 @@ public:
   }
   void log(const std::string& text) override;
   std::shared_ptr<const UnderstandingModel> understanding() const override {
-    return understanding_;
+    return language().understanding;
   }
   std::shared_ptr<const PhraseEvaluator> phrases() const override {
-    return phrases_;
+    return language().phrases;
   }
   Expected<std::vector<std::string>>
   column(const std::string& name) const override;
@@ -75,9 +75,17 @@ private:
     const RemoteHost& host_;
   };
   class Phrases;
+  struct Language {
+    std::shared_ptr<const UnderstandingModel> understanding;
+    std::shared_ptr<const PhraseEvaluator> phrases;
+  };
 
   // Asks the platform and waits for the answer.
   Expected<Value> inquire(IpcKind kind, Value what) const;
+  // Asked for once. Throws if it cannot be sent or read; empty if nobody is
+  // there any more.
+  const Language& language() const;
+  Language ask_language() const;
 
   IpcSocket& socket_;
   const ToldClock clock_;
@@ -85,8 +93,8 @@ private:
   bool real_time_ = false;
   std::string data_folder_;
   std::string application_folder_;
-  std::shared_ptr<const UnderstandingModel> understanding_;
-  std::shared_ptr<const PhraseEvaluator> phrases_;
+  mutable std::once_flag has_asked_;
+  mutable Language language_;
 
   mutable std::mutex mutex_;
   // The last number given to a timer, a question or a request.

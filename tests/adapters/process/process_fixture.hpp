@@ -2,6 +2,7 @@
 // may use.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <filesystem>
 #include <mutex>
@@ -34,6 +35,14 @@ public:
   void log(const std::string& text) override {
     add([&] { logs.push_back(text); }); // what a process prints, by its thread
   }
+
+  // Counted, as whoever has asked is started anew when the scripts change.
+  std::shared_ptr<const UnderstandingModel> understanding() const override {
+    ++readings;
+    return test::FakePluginHost::understanding();
+  }
+
+  mutable std::atomic<int> readings = 0;
 
   // Blocks until there are so many events and failures together.
   bool wait_for(std::size_t count) {

@@ -37,7 +37,9 @@ TEST_F(ProcessPluginTest, HandsOnWhatThePluginIsToKnow) {
   host.time.set(123);
   start();
   host.time.set(456);
+  EXPECT_EQ(host.readings, 0);
   send("Tell");
+  EXPECT_EQ(host.readings, 1);
   EXPECT_THAT(host.take_events(),
               ElementsAre("Told(/data, /application, 456, Visitor)"));
   EXPECT_THAT(host.logs, ElementsAre("told"));

@@ -32,10 +32,10 @@ protected:
     messages.erase(messages.begin());
     return message;
   }
-  Expected<Options> begin(bool real_time, bool phrases = false) {
-    return host->begin({IpcKind::start,
-                        {0, real_time, Map{{"a", "b"}}, "/data", "/application",
-                         Value(), phrases}});
+  Expected<Options> begin(bool real_time) {
+    return host->begin(
+        {IpcKind::start,
+         {0, real_time, Map{{"a", "b"}}, "/data", "/application"}});
   }
 
   std::optional<IpcSocket> ours;
@@ -48,8 +48,6 @@ TEST_F(RemoteHostTest, KeepsWhatItIsToldAtTheStart) {
   EXPECT_EQ(begin(false).value().at("a"), "b");
   EXPECT_EQ(host->data_folder(), "/data");
   EXPECT_EQ(host->application_folder(), "/application");
-  EXPECT_EQ(host->understanding(), nullptr);
-  EXPECT_EQ(host->phrases(), nullptr);
   EXPECT_FALSE(host->begin({IpcKind::start, {}}));
 }
 
@@ -124,11 +122,39 @@ TEST_F(RemoteHostTest, AsksAndIsAnswered) {
   other.join();
 }
 
+TEST_F(RemoteHostTest, AsksOnceForWhatTheScriptsSay) {
+  std::thread other([this] {
+    const auto question = said();
+    EXPECT_EQ(question.kind, IpcKind::language);
+    host->answered(
+        {IpcKind::reply,
+         {question.at(0), {}, List{List{List{}, List{}, List{}}, true}}});
+  });
+  const auto understanding = host->understanding();
+  other.join();
+  ASSERT_NE(understanding, nullptr);
+  EXPECT_EQ(host->understanding(), understanding);
+  const auto phrases = host->phrases();
+  theirs.reset();
+  ASSERT_NE(phrases, nullptr);
+  EXPECT_FALSE(phrases->render("hello").words);
+}
+
+TEST_F(RemoteHostTest, SaysWhyWhatTheScriptsSayCannotBeRead) {
+  std::thread other([this] {
+    host->answered(
+        {IpcKind::reply,
+         {said().at(0), to_value(Error{ErrorKind::limit, "too long", {}})}});
+  });
+  EXPECT_THROW(host->understanding(), std::runtime_error);
+  other.join();
+}
+
 TEST_F(RemoteHostTest, HasNoAnswerWhereNobodyIs) {
-  ASSERT_TRUE(begin(false, true));
   theirs.reset();
   EXPECT_FALSE(host->column("db:a.b"));
-  EXPECT_FALSE(host->phrases()->render("hello").words);
+  EXPECT_EQ(host->understanding(), nullptr);
+  EXPECT_EQ(host->phrases(), nullptr);
 }
 
 } // namespace

@@ -81,6 +81,7 @@ create table rr_meeting (
 ) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
 
 create index rr_meeting_by_host on rr_meeting (host, date, time);
+create index rr_meeting_by_day on rr_meeting (status, date, time);
 
 -- Whom the grammars know. No conversation changes it: what is understood would
 -- have to be learnt anew.

@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "adapters/nlu/text/lines.hpp"
 #include "adapters/nlu/text/tokens.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
-
-std::string_view take_line(std::string_view& text) {
-  const auto end = std::min(text.find('\n'), text.size());
-  const auto line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return line.substr(0, line.find('#'));
-}
 
 // A word may be in several groups.
 void add(Automaton::Synonyms& synonyms, WordNumber word) {
@@ -27,9 +21,9 @@ void add(Automaton::Synonyms& synonyms, WordNumber word) {
 
 std::vector<SynonymGroup> read_synonyms(std::string_view text) {
   std::vector<SynonymGroup> groups;
-  while (!text.empty()) {
+  for (const auto line : lines_of(text)) {
     SynonymGroup group;
-    for (auto& token : tokenize(take_line(text)).list)
+    for (auto& token : tokenize(line).list)
       group.push_back(std::move(token.word));
     if (group.size() > 1)
       groups.push_back(std::move(group));

@@ -1,7 +1,9 @@
 #include "adapters/nlu/learning/nearest_texts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "adapters/nlu/text/hash.hpp"
@@ -15,6 +17,8 @@ constexpr float weight_of_pair = 0.7F;
 constexpr float weight_of_stem = 0.5F;
 // Letters of a beginning; only of longer words.
 constexpr std::size_t stem_letters = 4;
+// Of the nearest texts: one may be alike by chance.
+constexpr std::size_t few = 5;
 // What another word for the same counts.
 constexpr float weight_of_other = 0.8F;
 
@@ -63,17 +67,26 @@ void NearestTexts::add(const Words& words, std::uint32_t label) {
   label_count_ = std::max(label_count_, label + 1);
 }
 
+void NearestTexts::add_other(const Words& words) {
+  waiting_.push_back(features(words));
+  labels_.push_back(no_label);
+  values_.emplace_back();
+}
+
 // How rare a feature is, is told by the labels that have it: one label may have
 // a hundred texts.
 void NearestTexts::finish() {
   std::unordered_map<Feature, std::set<std::uint32_t>> labels_of;
   for (std::size_t text = 0; text < waiting_.size(); ++text)
     for (const auto& [feature, weight] : waiting_[text])
-      labels_of[feature].insert(labels_[text]);
+      if (auto& labels = labels_of[feature]; labels_[text] != no_label)
+        labels.insert(labels_[text]);
   const auto all = static_cast<float>(label_count_) + 1;
   for (const auto& [feature, labels] : labels_of)
     columns_[feature].rarity =
-        std::log(all / (static_cast<float>(labels.size()) + 0.5F));
+        labels.empty()
+            ? std::log(all)
+            : std::log(all / (static_cast<float>(labels.size()) + 0.5F));
   for (std::uint32_t text = 0; text < waiting_.size(); ++text) {
     float length = 0;
     for (auto& [feature, weight] : waiting_[text]) {
@@ -86,21 +99,21 @@ void NearestTexts::finish() {
   waiting_ = {};
 }
 
-std::vector<NearText> NearestTexts::find(const Words& words,
-                                         const std::vector<Words>& others,
-                                         std::size_t most) const {
+NearestTexts::Products
+NearestTexts::products(const Words& words,
+                       const std::vector<Words>& others) const {
   const auto unknown = std::log(static_cast<float>(label_count_) + 1);
-  std::vector<float> products(labels_.size());
-  float length = 0;
+  Products made{std::vector<float>(labels_.size())};
   const auto look = [&](const Column& column, float weight) {
     for (const auto& posting : column.texts)
-      products[posting.text] += weight * posting.weight;
+      made.of_texts[posting.text] += weight * posting.weight;
   };
+  float squares = 0;
   for (const auto& [feature, share] : features(words)) {
     const auto found = columns_.find(feature);
     const auto weight =
         share * (found == columns_.end() ? unknown : found->second.rarity);
-    length += weight * weight;
+    squares += weight * weight;
     if (found != columns_.end())
       look(found->second, weight);
   }
@@ -109,23 +122,50 @@ std::vector<NearText> NearestTexts::find(const Words& words,
       if (const auto found = columns_.find(word_feature(other));
           found != columns_.end())
         look(found->second, weight_of_other * found->second.rarity);
+  made.length = std::sqrt(squares);
+  return made;
+}
+
+std::vector<NearText> NearestTexts::find(const Words& words,
+                                         const std::vector<Words>& others,
+                                         std::size_t most) const {
+  const auto [products, length] = this->products(words, others);
   const auto said = values(words);
-  const auto root = std::sqrt(length);
   std::vector<NearText> best(label_count_);
   for (std::uint32_t text = 0; text < labels_.size(); ++text) {
     // Most texts share nothing with the words.
-    if (products[text] == 0)
+    if (products[text] == 0 || labels_[text] == no_label)
       continue;
     if (auto& near = best[labels_[text]];
-        products[text] > near.similarity * root &&
+        products[text] > near.similarity * length &&
         std::ranges::includes(said, values_[text]))
-      near = {labels_[text], text, std::min(1.0F, products[text] / root)};
+      near = {labels_[text], text, std::min(1.0F, products[text] / length)};
   }
   std::erase_if(best, [](const auto& near) { return near.similarity == 0; });
   std::ranges::stable_sort(best, std::greater(), &NearText::similarity);
   if (best.size() > most)
     best.resize(most);
   return best;
+}
+
+Nearness NearestTexts::nearness(const Words& words,
+                                const std::vector<Words>& others) const {
+  const auto [products, length] = this->products(words, others);
+  const auto said = values(words);
+  std::array<float, few> labelled{};
+  std::array<float, few> other{};
+  for (std::uint32_t text = 0; text < labels_.size(); ++text)
+    if (std::ranges::includes(said, values_[text])) {
+      auto& nearest = labels_[text] == no_label ? other : labelled;
+      const auto least = std::ranges::min_element(nearest);
+      *least = std::max(*least, products[text]);
+    }
+  const auto average = [&, length = length](const std::array<float, few>& all) {
+    return length == 0
+               ? 0
+               : std::accumulate(all.begin(), all.end(), 0.0F) / (length * few);
+  };
+  return {average(labelled), average(other)};
 }
 
 } // namespace parlour::adapters::nlu

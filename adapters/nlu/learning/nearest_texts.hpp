@@ -23,12 +23,21 @@ struct NearText {
   float similarity = 0;   // 0 to 1
 };
 
+// How alike the few nearest texts are on average.
+struct Nearness {
+  float labelled = 0;
+  float other = 0; // of those without a label
+};
+
 // Once finished, any number of threads may use it.
 class NearestTexts {
 public:
   using Words = std::vector<std::string>;
 
   void add(const Words& words, std::uint32_t label);
+  // A text that speaks against all labels. find() does not see it, and it
+  // makes no word less rare.
+  void add_other(const Words& words);
   // Call it once, behind all texts.
   void finish();
 
@@ -37,6 +46,8 @@ public:
   std::vector<NearText> find(const Words& words,
                              const std::vector<Words>& others,
                              std::size_t most) const;
+
+  Nearness nearness(const Words& words, const std::vector<Words>& others) const;
 
   bool empty() const {
     return labels_.empty();
@@ -56,7 +67,16 @@ private:
     std::vector<Posting> texts;
   };
 
+  // For each text, its product with these words, which have this length.
+  struct Products {
+    std::vector<float> of_texts;
+    float length = 0;
+  };
+
+  static constexpr std::uint32_t no_label = ~std::uint32_t{0};
+
   static std::vector<Weighted> features(const Words& words);
+  Products products(const Words& words, const std::vector<Words>& others) const;
   static std::vector<Feature> values(const Words& words);
 
   std::vector<std::vector<Weighted>> waiting_; // until finish()

@@ -283,6 +283,9 @@ Tokens tokenize(std::string_view text) {
 
 TokenRange stretch_of(const Tokens& tokens, TokenRange range, Break by) {
   const auto& list = tokens.list;
+  // Nothing stands around what begins behind the last token.
+  if (range.begin >= list.size())
+    return range;
   while (range.begin > 0 && list[range.begin].before < by)
     --range.begin;
   while (range.end < list.size() && list[range.end].before < by)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "adapters/nlu/grammar/example_file.hpp"
+#include "adapters/nlu/text/lines.hpp"
 #include "adapters/nlu/understand/engine_store.hpp"
 #include "adapters/nlu/understand/language_knowledge.hpp"
 #include "adapters/nlu/values/renewed_nlu.hpp"
@@ -117,6 +118,21 @@ std::vector<SynonymGroup> platform_synonyms(const Options& options,
   return {};
 }
 
+// None where there is no platform.
+std::vector<std::string> platform_other_talk(const Options& options,
+                                             std::vector<Error>& errors) {
+  const auto platform = option(options, "platform");
+  if (platform.empty())
+    return {};
+  const auto text = read_file(platform + "/other-talk.txt");
+  if (text) {
+    const auto lines = lines_of(*text);
+    return {lines.begin(), lines.end()};
+  }
+  errors.push_back(text.error());
+  return {};
+}
+
 // Adds the examples of a file to those of the topics.
 void read_examples(const Options& options,
                    const std::string& application_folder,
@@ -143,6 +159,7 @@ read_platform(const Options& options, const std::string& application_folder) {
   else
     errors.push_back(generic.error());
   read.synonyms = platform_synonyms(options, errors);
+  read.other_talk = platform_other_talk(options, errors);
   if (const auto platform = option(options, "platform"); !platform.empty())
     read.language = language_store().read(platform, errors);
   if (!errors.empty())

@@ -4,11 +4,17 @@
 #include <optional>
 
 #include "adapters/nlu/text/negation.hpp"
+#include "adapters/nlu/text/word_set.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
+
+// From this score on, an utterance is the application's whatever it is like.
+constexpr double well_said = 0.8;
+// How much nearer other talk must be.
+constexpr float much_nearer = 0.05F;
 
 // Of the rules that are remembered, and how many meanings are looked at.
 constexpr std::size_t sentences = 8000;
@@ -41,6 +47,25 @@ bool add_value(BuiltAct& act, const Spans& spans, const std::string& slot,
   return best.has_value();
 }
 
+// Says a word for what was spoken of before: then any words may be meant.
+bool refers_back(const Utterance& utterance) {
+  static const WordSet references{
+      "it",  "its",   "they", "them", "their", "she",  "he",    "her",  "him",
+      "his", "there", "that", "this", "one",   "ones", "those", "these"};
+  return std::ranges::any_of(utterance.tokens.list, [](const Token& token) {
+    return references.contains(token.word);
+  });
+}
+
+// Without fillers.
+std::vector<std::string> plain_words(const Utterance& utterance) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < utterance.size(); ++at)
+    if (!utterance.filler[at])
+      words.push_back(utterance.tokens.list[at].word);
+  return words;
+}
+
 bool are_apart(const Fill& one, const Fill& other) {
   return !one.span || !other.span || one.end <= other.begin ||
          other.end <= one.begin;
@@ -48,8 +73,16 @@ bool are_apart(const Fill& one, const Fill& other) {
 
 } // namespace
 
-Likeness::Likeness(const Automaton& automaton, const Schema& schema)
-    : words_(automaton.vocabulary.size() + 1) {
+// Words, and others as which some may be read.
+struct Likeness::Said {
+  NearestTexts::Words words;
+  std::vector<NearestTexts::Words> others;
+};
+
+Likeness::Likeness(const Automaton& automaton, const Schema& schema,
+                   const std::vector<std::string>& other_talk)
+    : words_(automaton.vocabulary.size() + 1),
+      has_other_talk_(!other_talk.empty()) {
   for (const auto& [word, number] : automaton.vocabulary)
     words_[number] = word;
   for (const auto& sentence : sample_sentences(automaton, schema, sentences)) {
@@ -61,34 +94,62 @@ Likeness::Likeness(const Automaton& automaton, const Schema& schema)
     sentences_.push_back(shown(sentence.words));
     values_.push_back(sentence.values);
   }
+  for (const auto& sentence : other_talk)
+    texts_.add_other(plain_words(make_utterance(sentence, automaton)));
   texts_.finish();
+}
+
+Likeness::Said Likeness::said(const Utterance& utterance,
+                              const std::vector<LearningWord>& words) const {
+  Said made;
+  std::uint32_t before = 0;
+  for (std::size_t at = 0; at < words.size(); ++at) {
+    const auto kind = words[at].kind;
+    if (kind == 0 && !utterance.filler[at]) {
+      made.words.emplace_back(words[at].word);
+      if (utterance.words[at] == unknown_word && utterance.synonyms[at]) {
+        auto& further = made.others.emplace_back();
+        for (const auto number : *utterance.synonyms[at])
+          further.push_back(words_[number]);
+      }
+    } else if (kind != 0 && kind != before) {
+      made.words.push_back(value_word(kind - 1));
+    }
+    before = kind;
+  }
+  return made;
 }
 
 std::vector<Likeness::Like>
 Likeness::likes(const Utterance& utterance,
                 const std::vector<LearningWord>& words) const {
-  NearestTexts::Words said;
-  std::vector<NearestTexts::Words> others;
-  std::uint32_t before = 0;
-  for (std::size_t at = 0; at < words.size(); ++at) {
-    const auto kind = words[at].kind;
-    if (kind == 0 && !utterance.filler[at]) {
-      said.emplace_back(words[at].word);
-      if (utterance.words[at] == unknown_word && utterance.synonyms[at]) {
-        auto& further = others.emplace_back();
-        for (const auto number : *utterance.synonyms[at])
-          further.push_back(words_[number]);
-      }
-    } else if (kind != 0 && kind != before) {
-      said.push_back(value_word(kind - 1));
-    }
-    before = kind;
-  }
+  const auto said = this->said(utterance, words);
   std::vector<Like> made;
-  for (const auto& near : texts_.find(said, others, most_meanings))
+  for (const auto& near : texts_.find(said.words, said.others, most_meanings))
     made.push_back({meanings_[near.label], sentences_[near.text],
                     near.similarity, values_[near.text]});
   return made;
+}
+
+bool Likeness::leave_out_other_talk(std::vector<BuiltAct>& acts,
+                                    const Utterance& utterance,
+                                    const Spans& spans,
+                                    const TrainedModel& learned,
+                                    const Context& context) const {
+  const auto is_doubtful = [&](const BuiltAct& act) {
+    return act.topic != no_topic && act.score < well_said &&
+           !context.expects(act.topic);
+  };
+  if (!has_other_talk_ || acts.empty() || context.asked_topic != no_topic ||
+      context.waiting_topic != no_topic || refers_back(utterance) ||
+      !std::ranges::all_of(acts, is_doubtful))
+    return false;
+  const auto said = this->said(utterance, learned.words(utterance, spans));
+  const auto near = texts_.nearness(said.words, said.others);
+  const bool is_other_talk = near.other >= near.labelled + much_nearer;
+  if (is_other_talk)
+    acts.clear();
+  return is_other_talk;
 }
 
 std::vector<BuiltAct> Likeness::acts(const Utterance& utterance, Spans& spans,

@@ -1,7 +1,8 @@
 // What an utterance is like, of all that the application's rules say. Where
 // neither rules nor examples understand anything, an utterance that is much
 // like what a rule says is taken for it (docs/understanding.md, "Much like a
-// rule").
+// rule"). What is more like talk about anything else is about nothing of the
+// application ("Other talk").
 #pragma once
 
 #include <string>
@@ -25,7 +26,9 @@ public:
     std::vector<std::pair<std::string, EntityId>> values;
   };
 
-  Likeness(const Automaton& automaton, const Schema& schema);
+  // `other_talk` are sentences that are about nothing of any application.
+  Likeness(const Automaton& automaton, const Schema& schema,
+           const std::vector<std::string>& other_talk = {});
 
   // The meanings that it is most like, the most similar first.
   std::vector<Like> likes(const Utterance& utterance,
@@ -39,11 +42,25 @@ public:
                              const Schema& schema, const Context& context,
                              double threshold) const;
 
+  // Leaves acts out that say only a part of an utterance which is more like
+  // other talk than like what rules say; whether there were any. What the
+  // conversation expects stays.
+  bool leave_out_other_talk(std::vector<BuiltAct>& acts,
+                            const Utterance& utterance, const Spans& spans,
+                            const TrainedModel& learned,
+                            const Context& context) const;
+
 private:
+  struct Said;
+
+  Said said(const Utterance& utterance,
+            const std::vector<LearningWord>& words) const;
+
   std::vector<SentenceMeaning> meanings_;
   std::vector<std::string> sentences_; // by text
   std::vector<std::vector<std::pair<std::string, EntityId>>> values_;
   std::vector<std::string> words_; // by number of the automaton
+  bool has_other_talk_ = false;
   NearestTexts texts_;
 };
 

@@ -122,10 +122,6 @@ void add_bare_values(AutomatonBuilder& builder, const Schema& schema) {
   }
 }
 
-} // namespace
-
-namespace {
-
 // Acts about other topics that score almost as high as the best one. The engine
 // may ask the user which was meant.
 struct Alternatives {
@@ -238,11 +234,10 @@ struct NluEngine::Implementation {
     return alternatives;
   }
 
-  std::vector<std::string> explain(const Utterance& utterance,
-                                   const Spans& spans,
-                                   const std::vector<Island>& islands,
-                                   const std::vector<Chain>& chains,
-                                   const std::vector<BuiltAct>& acts) const {
+  std::vector<std::string>
+  explain(const Utterance& utterance, const Spans& spans,
+          const std::vector<Island>& islands, const std::vector<Chain>& chains,
+          const std::vector<BuiltAct>& acts, bool is_other_talk) const {
     const Explanation explanation(utterance, spans, schema);
     auto lines = explanation.lines(islands, chains, acts);
     const auto learnt = explanation.learnt(learned);
@@ -256,6 +251,8 @@ struct NluEngine::Implementation {
                    fmt::format("alike {:.2f} {} \"{}\"", like.similarity,
                                schema.at(like.meaning.topic).name,
                                like.sentence));
+    if (is_other_talk)
+      lines.push_back("more like other talk than like any rule");
     return lines;
   }
 };
@@ -281,7 +278,7 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
                           {}, std::move(options.language));
   if (!learned)
     return tl::make_unexpected(std::vector{learned.error()});
-  Likeness likeness(automaton, schema);
+  Likeness likeness(automaton, schema, options.other_talk);
   automaton = merge_states(std::move(automaton));
   for (const auto word : all_hesitations())
     if (schema.values().has_word(word))
@@ -372,16 +369,18 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
           : std::vector<BuiltAct>();
   const bool guessed = !hypotheses.empty() &&
                        prefer_better(acts, hypotheses[0], schema, context);
+  const bool is_other = self.likeness.leave_out_other_talk(
+      acts, utterance, spans, self.learned, context);
   for (auto& act : acts)
     correct_what_was_said(act, spans, context);
   join_corrections(acts, schema);
   leave_out_taken_back(acts, utterance, spans, schema, context);
-
   Understanding made;
   made.work = matcher.work();
   made.coverage = guessed ? 0 : coverage_of(chains[0], utterance);
   if (explain)
-    made.explanation = self.explain(utterance, spans, islands, chains, acts);
+    made.explanation =
+        self.explain(utterance, spans, islands, chains, acts, is_other);
   for (const auto& act : acts) {
     made.score = std::max(made.score, act.score);
     made.acts.push_back(act_value(act, utterance, spans, schema));

@@ -30,6 +30,8 @@ public:
     std::vector<GrammarModel> generic;
     // By which words that no grammar has are understood.
     std::vector<SynonymGroup> synonyms = {};
+    // Sentences that are about nothing of any application.
+    std::vector<std::string> other_talk = {};
     // By which what is learnt is more than the words of the examples.
     LanguageKnowledge language = {};
 

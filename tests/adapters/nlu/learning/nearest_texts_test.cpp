@@ -36,6 +36,21 @@ TEST(NearestTexts, TheSameTextIsWhollyAlike) {
   EXPECT_NEAR(near[0].similarity, 1, 1e-4);
 }
 
+TEST(NearestTexts, TextsWithoutALabelAreOnlyComparedWith) {
+  NearestTexts texts;
+  texts.add({"where", "is", "the", "pool"}, 0);
+  for (int time = 0; time < 5; ++time)
+    texts.add_other({"who", "owns", "the", "moon"});
+  texts.finish();
+  EXPECT_TRUE(texts.find({"who", "owns", "moon"}, {}, 3).empty());
+  const auto moon = texts.nearness({"who", "owns", "moon"}, {});
+  EXPECT_GT(moon.other, moon.labelled);
+  const auto pool = texts.nearness({"where", "is", "the", "pool"}, {});
+  EXPECT_NEAR(pool.labelled, 0.2, 1e-4); // one of the five nearest
+  EXPECT_LT(pool.other, pool.labelled);
+  EXPECT_EQ(texts.nearness({}, {}).other, 0);
+}
+
 TEST(NearestTexts, RareWordsCountMore) {
   EXPECT_EQ(labels({"may", "i", "print", "there"})[0], printing);
   const auto more = remembered().find({"much", "is", "it"}, {}, 1)[0];

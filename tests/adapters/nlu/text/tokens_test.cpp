@@ -75,6 +75,7 @@ TEST(Tokens, StandInClausesAndSentences) {
   EXPECT_EQ(sentence.begin, 0U);
   EXPECT_EQ(sentence.end, 4U);
   EXPECT_EQ(stretch_of(tokens, {4, 5}, Break::sentence).end, 7U);
+  EXPECT_EQ(stretch_of(tokens, {7, 7}, Break::sentence).begin, 7U);
 }
 
 } // namespace

@@ -19,12 +19,15 @@ public <meet> = arrange a meeting with @db:staff.name {Host}
 )";
 
 std::string understood(const char* text, const char* asked = "",
-                       double threshold = 0.4) {
+                       double threshold = 0.4,
+                       const std::vector<std::string>& other_talk = {}) {
   auto model = sample_model();
   model.grammars = {{"desk", rules, {}}};
   for (auto& topic : model.topics)
     topic.examples.clear();
-  const auto engine = NluEngine::build(model, sample_column, {threshold, {}});
+  const auto engine = NluEngine::build(
+      model, sample_column,
+      {.threshold = threshold, .generic = {}, .other_talk = other_talk});
   return engine ? summary(engine->understand(text, sample_context(asked)).acts)
                 : to_string(engine.error().front());
 }
@@ -65,6 +68,27 @@ TEST(Likeness, AValueThatOnlyTheRuleGivesNeedsMore) {
 
 TEST(Likeness, MustReachTheThreshold) {
   EXPECT_EQ(understood("can pages print here, where", "", 0.95), "");
+}
+
+// Five of them: one may be alike by chance.
+const std::vector<std::string> about_taxes{
+    "where can i go to pay my tax", "who prints my tax forms",
+    "can i print my tax forms", "where are tax forms printed",
+    "print my tax forms for may"};
+
+TEST(Likeness, OtherTalkIsAboutNothing) {
+  constexpr auto said = "where can i print tax forms for last year";
+  EXPECT_NE(understood(said), "");
+  EXPECT_EQ(understood(said, "", 0.4, about_taxes), "");
+  EXPECT_EQ(
+      understood("where can i go to print a few pages", "", 0.4, about_taxes),
+      "request Facility Name=Copy shop");
+}
+
+TEST(Likeness, WhatIsExpectedIsNoOtherTalk) {
+  constexpr auto said = "where can i print tax forms for last year";
+  EXPECT_EQ(understood(said, "Facility", 0.4, about_taxes),
+            understood(said, "Facility"));
 }
 
 TEST(Likeness, NegatedOrdersAreLikeNone) {

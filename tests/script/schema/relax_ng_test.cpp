@@ -8,7 +8,7 @@ namespace parlour::script {
 using testing::HasSubstr;
 
 // That it accepts and refuses what it should,
-// tests/tools/parlour/schema_test.py shows.
+// tests/tools/parlour/cli/scripts/schema_test.py shows.
 TEST(RelaxNg, is_well_formed_and_says_what_things_are_for) {
   const auto schema = relax_ng_schema();
   EXPECT_TRUE(find_xml_mistakes(schema).empty());

@@ -1,4 +1,5 @@
-// Runs that are killed and go on are in tests/tools/parlour/replay_test.py.
+// Runs that are killed and go on are in
+// tests/tools/parlour/journal/replay_test.py.
 #include <gmock/gmock.h>
 
 #include "adapters/journal/journal_format.hpp"

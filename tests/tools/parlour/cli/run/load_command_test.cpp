@@ -1,4 +1,4 @@
-// What is played is in tests/tools/parlour/serve_test.py.
+// What is played is in tests/tools/parlour/serve/serve_test.py.
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tools/parlour/command_fixture.hpp"
 

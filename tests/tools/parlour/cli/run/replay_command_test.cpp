@@ -1,4 +1,5 @@
-// Whole runs and their replays are in tests/tools/parlour/replay_test.py.
+// Whole runs and their replays are in
+// tests/tools/parlour/journal/replay_test.py.
 #include "adapters/journal/journal_format.hpp"
 #include "script/dialogue/inputs/session_record.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,5 +1,5 @@
 // Whole runs with --fresh and by voice are in run_command_test.cpp and
-// tests/tools/parlour/voice_start_test.py.
+// tests/tools/parlour/voice/voice_start_test.py.
 #include "tests/tools/parlour/command_fixture.hpp"
 #include "tools/parlour/cli/run/run_preparation.hpp"
 #include "tools/parlour/console/exit_code.hpp"

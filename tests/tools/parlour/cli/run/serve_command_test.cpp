@@ -1,4 +1,4 @@
-// What is served is in tests/tools/parlour/serve_test.py.
+// What is served is in tests/tools/parlour/serve/serve_test.py.
 #include "tests/tools/parlour/command_fixture.hpp"
 
 namespace parlour::tools {

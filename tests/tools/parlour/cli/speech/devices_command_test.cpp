@@ -1,4 +1,5 @@
-// What the command lists and tries is in tests/tools/parlour/devices_test.py.
+// What the command lists and tries is in
+// tests/tools/parlour/voice/devices_test.py.
 #include <cstdlib>
 
 #include "tests/support/temporary_folder.hpp"

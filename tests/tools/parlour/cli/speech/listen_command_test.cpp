@@ -1,4 +1,4 @@
-// What is heard is in tests/tools/parlour/speech_commands_test.py.
+// What is heard is in tests/tools/parlour/voice/speech_commands_test.py.
 #include "tests/tools/parlour/command_fixture.hpp"
 
 namespace parlour::tools {

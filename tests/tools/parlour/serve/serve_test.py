@@ -8,11 +8,14 @@ import re
 import signal
 import socket
 import subprocess
+import sys
 import unittest
 
-from program_case import ProgramCase
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-ROOT = pathlib.Path(__file__).parents[3]
+from program_case import ProgramCase  # noqa: E402
+
+ROOT = pathlib.Path(__file__).parents[4]
 APP = """<dialogue>
   <state name="Desk"><Entrance><speak param="Hello."/></Entrance>
     <Exit><speak param="Bye."/></Exit></state>

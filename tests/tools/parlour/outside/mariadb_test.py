@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+ROOT = pathlib.Path(__file__).resolve().parents[4]
 RECEPTIONIST = ROOT / "config/apps/receptionist"
 LEDGER = ROOT / "tests/tools/parlour/applications/ledger"
 PROGRAM = os.environ.get("PARLOUR_PROGRAM", "")

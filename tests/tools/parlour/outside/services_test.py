@@ -12,14 +12,17 @@ import re
 import shutil
 import ssl
 import subprocess
+import sys
 import threading
 import unittest
 import urllib.parse
 import urllib.request
 
-from program_case import PROGRAM, ProgramCase
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-RECEPTIONIST = (pathlib.Path(__file__).parents[3] / "config" / "apps" /
+from program_case import PROGRAM, ProgramCase  # noqa: E402
+
+RECEPTIONIST = (pathlib.Path(__file__).parents[4] / "config" / "apps" /
                 "receptionist")
 WAIT = 60  # seconds; only a test that fails waits so long
 SERVICES = """<component name="Forecasts" plugin="HTTPService">

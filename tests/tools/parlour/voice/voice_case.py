@@ -7,10 +7,13 @@ import pathlib
 import pty
 import signal
 import subprocess
+import sys
 import time
 import wave
 
-from program_case import PROGRAM, ProgramCase
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from program_case import PROGRAM, ProgramCase  # noqa: E402
 
 VDEV = pathlib.Path(PROGRAM).parent.parent / "lib/vdev.so"
 RATE = 16000

@@ -4,8 +4,8 @@ other hosts, floors and hours: all turns are understood."""
 import subprocess
 import unittest
 
-from program_case import PROGRAM, ProgramCase
 from table_one import OTHERS, TABLE_ONE, receptionist
+from voice_case import PROGRAM, ProgramCase
 
 
 class TableOneHeardTest(ProgramCase):

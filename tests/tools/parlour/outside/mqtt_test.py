@@ -5,13 +5,16 @@ becomes MQTTDevices; the script stays. Skipped if mosquitto is missing."""
 import pathlib
 import shutil
 import subprocess
+import sys
 import unittest
 
-from mqtt_home import SERVER, WAIT, Home, Server
-from program_case import PROGRAM, ProgramCase
-from remote_agent_test import Lines
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-SMART_HOME = pathlib.Path(__file__).parents[3] / "config/apps/smart-home"
+from mqtt_home import SERVER, WAIT, Home, Server  # noqa: E402
+from program_case import PROGRAM, ProgramCase  # noqa: E402
+from remote_agent_test import Lines  # noqa: E402
+
+SMART_HOME = pathlib.Path(__file__).parents[4] / "config/apps/smart-home"
 
 
 @unittest.skipUnless(SERVER, "there is no mosquitto")

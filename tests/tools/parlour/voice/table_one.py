@@ -4,7 +4,7 @@ a copy of the receptionist."""
 import pathlib
 import shutil
 
-RECEPTIONIST = (pathlib.Path(__file__).resolve().parents[3] /
+RECEPTIONIST = (pathlib.Path(__file__).resolve().parents[4] /
                 "config/apps/receptionist")
 
 TABLE_ONE = (

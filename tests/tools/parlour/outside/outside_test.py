@@ -3,11 +3,15 @@
 running application and with `parlour exec`."""
 
 import os
+import pathlib
 import socket
 import subprocess
+import sys
 import unittest
 
-from program_case import PROGRAM, ProgramCase
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from program_case import PROGRAM, ProgramCase  # noqa: E402
 
 SETTINGS = """<settings name="outside">
   <Plugins><Plugin>SQLiteDatabase</Plugin></Plugins>

@@ -6,8 +6,7 @@ import os
 import subprocess
 import unittest
 
-from program_case import PROGRAM
-from voice_case import RATE, VDEV, WAIT, VoiceCase, samples_of
+from voice_case import PROGRAM, RATE, VDEV, WAIT, VoiceCase, samples_of
 
 
 class SpeechCommandsTest(VoiceCase):

@@ -9,12 +9,15 @@ import select
 import signal
 import socket
 import subprocess
+import sys
 import time
 import unittest
 import urllib.error
 import urllib.request
 
-from program_case import ProgramCase
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from program_case import ProgramCase  # noqa: E402
 
 APP = """<dialogue>
   <state name="Desk"><Entrance><speak param="Hello."/></Entrance></state>
@@ -30,7 +33,7 @@ APP = """<dialogue>
 SETTINGS = """<settings name="desk" start="Desk"><Scripts><Script>desk.xml</Script>
 </Scripts></settings>
 """
-ROOT = pathlib.Path(__file__).parents[3]
+ROOT = pathlib.Path(__file__).parents[4]
 
 
 class WatchingTest(ProgramCase):

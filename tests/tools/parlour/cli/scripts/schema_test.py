@@ -11,7 +11,7 @@ import unittest
 from xml.etree import ElementTree
 
 PROGRAM = os.environ.get("PARLOUR_PROGRAM", "build/debug/bin/parlour")
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+ROOT = pathlib.Path(__file__).resolve().parents[5]
 # What a plug-in reads is not ours to describe.
 RIGHT = [path for folder in ("config", "tests/fixtures")
          for path in sorted((ROOT / folder).rglob("*.xml"))

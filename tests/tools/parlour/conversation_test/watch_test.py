@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
 """Tests `parlour test --watch`: it runs again whenever a file changes."""
 
+import pathlib
 import signal
 import subprocess
+import sys
 import unittest
 
-from program_case import PROGRAM, ProgramCase
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from program_case import PROGRAM, ProgramCase  # noqa: E402
 
 SETTINGS = """<settings name="echo" start="Hello">
   <Plugins/><Scripts><Script>echo.xml</Script></Scripts>

@@ -11,9 +11,11 @@ import sys
 import threading
 import unittest
 
-from program_case import ProgramCase
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-AGENTS = pathlib.Path(__file__).parents[3] / "tools" / "agents"
+from program_case import ProgramCase  # noqa: E402
+
+AGENTS = pathlib.Path(__file__).parents[4] / "tools" / "agents"
 sys.path.insert(0, str(AGENTS / "python"))
 sys.dont_write_bytecode = True
 import parlour_agent  # noqa: E402

@@ -13,10 +13,12 @@ import subprocess
 import sys
 import unittest
 
-from program_case import ProgramCase
-from remote_agent_test import Lines
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[3] /
+from program_case import ProgramCase  # noqa: E402
+from remote_agent_test import Lines  # noqa: E402
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[4] /
                        "tools/agents/python"))
 
 from parlour_agent import Agent  # noqa: E402

@@ -3,13 +3,17 @@
 again, word by word, also after the run was killed; what is private is not
 shown."""
 
+import pathlib
 import re
 import signal
 import subprocess
+import sys
 import time
 import unittest
 
-from program_case import PROGRAM, ProgramCase
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from program_case import PROGRAM, ProgramCase  # noqa: E402
 
 SCRIPT = """<dialogue>
   <state name="Hall"><Entrance><speak param="Good morning."/></Entrance></state>

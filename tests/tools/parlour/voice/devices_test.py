@@ -5,7 +5,7 @@ import pathlib
 import subprocess
 import unittest
 
-from program_case import PROGRAM, ProgramCase
+from voice_case import PROGRAM, ProgramCase
 
 VDEV = pathlib.Path(PROGRAM).parent.parent / "lib/vdev.so"
 

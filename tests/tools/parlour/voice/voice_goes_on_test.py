@@ -10,7 +10,7 @@ import unittest
 
 from voice_case import VoiceCase
 
-PACKAGES = (pathlib.Path(__file__).resolve().parents[3] /
+PACKAGES = (pathlib.Path(__file__).resolve().parents[4] /
             "tools/agents/moonshine/node_modules")
 
 

@@ -7,6 +7,7 @@
 
 #include "adapters/http/rules/answer_reader.hpp"
 #include "adapters/http/rules/request_maker.hpp"
+#include "adapters/http/webhooks/webhook_request.hpp"
 
 namespace parlour::adapters::http {
 
@@ -77,7 +78,7 @@ Expected<void> HTTPService::listen(ListenerOptions options) {
     return {};
   auto listener = WebhookListener::start(
       std::move(options),
-      [this](const WebhookRequest& request) { return take_webhook(request); },
+      [this](const ReceivedRequest& request) { return take_webhook(request); },
       [this](const std::string& what) { host().failed(what); });
   if (!listener)
     return tl::make_unexpected(listener.error());
@@ -110,7 +111,7 @@ void HTTPService::on_message(const Message& message) {
 
 // On the listener's thread. 204: it has become an event; 404 and 422: the rules
 // know nothing of it.
-int HTTPService::take_webhook(const WebhookRequest& request) {
+int HTTPService::take_webhook(const ReceivedRequest& request) {
   const auto* rule = rules_.find_webhook(request.path);
   if (!rule)
     return 404;

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/http/server/received_request.hpp"
 #include "adapters/http/service_options.hpp"
 #include "runtime/plugin/open_messages.hpp"
 #include "runtime/plugin/plugin.hpp"
@@ -42,7 +43,7 @@ protected:
 
 private:
   Expected<void> listen(ListenerOptions options);
-  int take_webhook(const WebhookRequest& request);
+  int take_webhook(const ReceivedRequest& request);
   void ask(const CommandRule& rule, const Message& message,
            HttpRequest request);
   void tell_sample(const CommandRule& rule, const Message& message);

@@ -23,6 +23,10 @@ class io_context;
 
 namespace parlour::adapters {
 
+struct StandaloneAsio;
+template <class Asio>
+class LoopOver;
+
 class Loop {
 public:
   using Moment = std::chrono::steady_clock::time_point;
@@ -57,10 +61,10 @@ public:
   asio::io_context& context();
 
 private:
-  struct State;
-  explicit Loop(std::unique_ptr<State> state);
+  using Thread = LoopOver<StandaloneAsio>;
+  explicit Loop(std::unique_ptr<Thread> thread);
 
-  const std::unique_ptr<State> state_;
+  const std::unique_ptr<Thread> thread_;
 };
 
 } // namespace parlour::adapters

@@ -10,7 +10,8 @@
 #include "adapters/http/rules/answer_reader.hpp"
 #include "adapters/http/rules/request_maker.hpp"
 #include "adapters/http/rules/rules_reader.hpp"
-#include "adapters/http/webhooks/request_parser.hpp"
+#include "adapters/http/server/request_parser.hpp"
+#include "adapters/http/webhooks/webhook_request.hpp"
 
 namespace {
 

@@ -17,14 +17,11 @@
 
 #include "adapters/agents/delivery/peer_connection.hpp"
 #include "adapters/agents/wire/text_line.hpp"
+#include "adapters/loop/standalone_asio.hpp"
 
 namespace parlour::adapters::agents {
 
-// They know the kind of their loop, which spares them virtual calls.
-using LineSocket =
-    asio::basic_stream_socket<asio::ip::tcp, asio::io_context::executor_type>;
-using LineAcceptor =
-    asio::basic_socket_acceptor<asio::ip::tcp, asio::io_context::executor_type>;
+using LineSocket = StandaloneAsio::Socket;
 
 // The same code for both kinds of streams: a TCP socket, or TLS over one.
 template <class Stream>

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "adapters/agents/lines/line_connection.hpp"
+#include "adapters/loop/acceptor_over.hpp"
 
 namespace parlour::adapters::agents {
 namespace {
@@ -18,7 +19,7 @@ using SecureStream = asio::ssl::stream<LineSocket>;
 class LineListener : public AgentTransport, private PeerConnection::Owner {
 public:
   LineListener(asio::io_context& context, TransportEvents& events)
-      : acceptor_(context), pause_(context), events_(events) {}
+      : acceptor_(context), events_(events) {}
 
   Expected<void> listen(const LineOptions& options) {
     asio::error_code error;
@@ -39,19 +40,11 @@ public:
     return bind({address, options.port});
   }
 
-  // Accepts the next connection, again and again, until the acceptor is closed.
   void accept() {
-    acceptor_.async_accept([this](asio::error_code error, LineSocket socket) {
-      if (error == asio::error::operation_aborted)
-        return;
-      if (error) {
-        accept_later();
-        events_.not_accepted(error.message());
-        return;
-      }
-      add(std::move(socket));
-      accept();
-    });
+    acceptor_.accept(
+        {[this](LineSocket socket) { add(std::move(socket)); },
+         {},
+         [this](const std::string& why) { events_.not_accepted(why); }});
   }
 
   bool is_loopback() const override {
@@ -68,35 +61,15 @@ public:
       found.mapped()->close();
   }
   void shut() override {
-    // An acceptor that was never open cannot be closed; nor need it be.
-    asio::error_code ignored;
-    acceptor_.close(ignored);
-    pause_.cancel();
+    acceptor_.close();
     for (const auto& [id, connection] : std::exchange(connections_, {}))
       connection->close();
   }
   std::string address() const override {
-    asio::error_code ignored; // it is open
-    const auto end = acceptor_.local_endpoint(ignored);
-    const auto host = end.address().to_string();
-    return end.address().is_v6()
-               ? fmt::format("tcp://[{}]:{}", host, end.port())
-               : fmt::format("tcp://{}:{}", host, end.port());
+    return "tcp://" + acceptor_.address();
   }
 
 private:
-  static constexpr std::chrono::milliseconds pause_between{200};
-
-  // While the process has too many files open, accepting fails at once, again
-  // and again.
-  void accept_later() {
-    pause_.expires_after(pause_between);
-    pause_.async_wait([this](asio::error_code error) {
-      if (!error && acceptor_.is_open())
-        accept();
-    });
-  }
-
   // The certificate may be followed by those of its issuers (a chain).
   Expected<void> read_certificate(const LineOptions& options) {
     certificate_.emplace(asio::ssl::context::tls_server);
@@ -117,21 +90,12 @@ private:
     return {};
   }
 
-  // Each step is taken only if the one before has succeeded.
   Expected<void> bind(const tcp::endpoint& end) {
-    asio::error_code error;
-    acceptor_.open(end.protocol(), error);
-    if (!error)
-      acceptor_.set_option(LineAcceptor::reuse_address(true), error);
-    if (!error)
-      acceptor_.bind(end, error);
-    if (!error)
-      acceptor_.listen(asio::socket_base::max_listen_connections, error);
-    if (error)
+    if (auto opened = acceptor_.open(end); !opened)
       return fail(ErrorKind::network,
                   fmt::format("agents cannot connect to {}:{}: {}",
                               end.address().to_string(), end.port(),
-                              error.message()));
+                              opened.error().message));
     return {};
   }
 
@@ -174,8 +138,7 @@ private:
     events_.closed(id);
   }
 
-  LineAcceptor acceptor_;
-  asio::steady_timer pause_;
+  AcceptorOver<StandaloneAsio> acceptor_;
   bool is_loopback_ = true;
   TransportEvents& events_;
   std::optional<asio::ssl::context> certificate_;

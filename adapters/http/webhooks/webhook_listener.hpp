@@ -8,10 +8,11 @@
 #include <memory>
 #include <string>
 
-#include "adapters/http/webhooks/webhook_request.hpp"
+#include "adapters/http/server/request_server.hpp"
 #include "adapters/loop/loop.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/rate_limit.hpp"
 
 namespace parlour::adapters::http {
 
@@ -24,7 +25,7 @@ struct ListenerOptions {
   std::size_t connections = 32;
   // More requests in a second are refused with 429.
   unsigned per_second = 100;
-  // How long a request may take to come.
+  // How long a request may take to come, and the answer to be read.
   Milliseconds patience{10'000};
 };
 
@@ -37,7 +38,7 @@ class WebhookListener {
 public:
   // Gets each request that is not refused, on the listener's thread, and
   // returns the status of the answer. It must not block.
-  using Take = std::function<int(const WebhookRequest&)>;
+  using Take = std::function<int(const ReceivedRequest&)>;
 
   // Listens at once, on a thread of its own. `thrown` gets what `take` throws,
   // on that thread; the request is not answered then. The error says which
@@ -48,16 +49,23 @@ public:
   WebhookListener(const WebhookListener&) = delete;
   WebhookListener& operator=(const WebhookListener&) = delete;
   // Closes all connections; then nothing is taken any more.
-  ~WebhookListener();
+  ~WebhookListener() = default;
 
   // "http://127.0.0.1:8090".
-  const std::string& address() const;
+  std::string address() const {
+    return "http://" + server_->address();
+  }
 
 private:
-  struct State;
-  explicit WebhookListener(std::unique_ptr<State> state);
+  WebhookListener(const ListenerOptions& options, Take take);
 
-  const std::unique_ptr<State> state_;
+  // On the server's thread.
+  Reply judge(const ReceivedRequest& request);
+
+  const std::string token_;
+  const Take take_;
+  RateLimit rate_; // used on the server's thread only
+  std::unique_ptr<RequestServer> server_;
 };
 
 } // namespace parlour::adapters::http

@@ -1,7 +1,5 @@
 #include "adapters/http/webhooks/webhook_request.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -13,29 +11,6 @@ namespace parlour::adapters::http {
 namespace {
 
 constexpr std::string_view bearer = "Bearer ";
-
-// "%XX" at the beginning of the text, as a byte; -1: it is none.
-int escaped_byte(std::string_view text) {
-  int byte = 0;
-  if (text.size() < 3 || text[0] != '%')
-    return -1;
-  const auto* const end = text.data() + 3;
-  const auto read = std::from_chars(text.data() + 1, end, byte, 16);
-  return read.ec == std::errc() && read.ptr == end && byte >= 0 ? byte : -1;
-}
-
-// What is no escape stays as it is: "100%" is "100%".
-std::string decoded(std::string_view text, bool plus_is_blank) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (const auto byte = escaped_byte(text.substr(i)); byte >= 0) {
-      result += static_cast<char>(byte);
-      i += 2;
-    } else {
-      result += plus_is_blank && text[i] == '+' ? ' ' : text[i];
-    }
-  return result;
-}
 
 // What stands before the separator, or all if there is none. `text` keeps what
 // stands behind it.
@@ -67,7 +42,7 @@ bool is_same(std::string_view left, std::string_view right) {
 }
 
 // Services that cannot send headers have the token in the address.
-bool has_token(const WebhookRequest& request, std::string_view token) {
+bool has_token(const ReceivedRequest& request, std::string_view token) {
   const std::string_view header = request.authorization;
   if (header.starts_with(bearer) &&
       is_same(header.substr(bearer.size()), token))
@@ -81,15 +56,8 @@ bool has_token(const WebhookRequest& request, std::string_view token) {
 
 } // namespace
 
-// The query stays encoded, as its parts are split before they are decoded.
-void set_target(WebhookRequest& request, std::string_view target) {
-  const auto mark = std::min(target.find('?'), target.size());
-  request.path = decoded(target.substr(0, mark), false);
-  request.query = target.substr(std::min(mark + 1, target.size()));
-}
-
 // Who has no token does not learn which methods and paths there are.
-int refusal_of(const WebhookRequest& request, std::string_view token) {
+int refusal_of(const ReceivedRequest& request, std::string_view token) {
   if (!token.empty() && !has_token(request, token))
     return 401;
   return request.method == "POST" ? 0 : 405;
@@ -97,7 +65,7 @@ int refusal_of(const WebhookRequest& request, std::string_view token) {
 
 // Some senders call JSON a form. No form begins with a brace: it would be
 // encoded.
-std::string readable_body(const WebhookRequest& request) {
+std::string readable_body(const ReceivedRequest& request) {
   if (!request.content_type.starts_with("application/x-www-form-urlencoded") ||
       request.body.starts_with('{'))
     return request.body;
@@ -106,10 +74,6 @@ std::string readable_body(const WebhookRequest& request) {
     fields.set(name, Value(std::move(value)));
   });
   return json_text(Value(std::move(fields)));
-}
-
-std::string form_decoded(std::string_view text) {
-  return decoded(text, true);
 }
 
 } // namespace parlour::adapters::http

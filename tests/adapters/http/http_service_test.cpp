@@ -6,7 +6,7 @@
 #include "runtime/plugin/test_host.hpp"
 #include "runtime/text/json_text.hpp"
 #include "tests/adapters/http/service_server.hpp"
-#include "tests/adapters/http/webhooks/client.hpp"
+#include "tests/support/tcp_client.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters::http {

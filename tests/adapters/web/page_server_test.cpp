@@ -8,7 +8,7 @@
 
 #include "adapters/web/bounds.hpp"
 #include "adapters/web/page_server.hpp"
-#include "tests/adapters/http/webhooks/client.hpp"
+#include "tests/support/tcp_client.hpp"
 
 namespace parlour::adapters::web {
 namespace {

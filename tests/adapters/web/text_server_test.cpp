@@ -6,8 +6,8 @@
 
 #include "adapters/web/bounds.hpp"
 #include "adapters/web/text_server.hpp"
-#include "tests/adapters/http/webhooks/client.hpp"
 #include "tests/adapters/web/fake_host.hpp"
+#include "tests/support/tcp_client.hpp"
 
 namespace parlour::adapters::web {
 namespace {

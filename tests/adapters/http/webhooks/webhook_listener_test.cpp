@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "adapters/http/webhooks/webhook_listener.hpp"
-#include "tests/adapters/http/webhooks/client.hpp"
+#include "tests/support/tcp_client.hpp"
 
 namespace parlour::adapters::http {
 namespace {
@@ -30,7 +30,7 @@ protected:
     ASSERT_TRUE(started) << started.error().message;
     listener = std::move(*started);
   }
-  int take(const WebhookRequest& request) {
+  int take(const ReceivedRequest& request) {
     const std::lock_guard lock(mutex);
     if (request.path == "/bad")
       throw std::runtime_error("this is too much");

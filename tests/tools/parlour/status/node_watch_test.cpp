@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "script/compiler/compiler.hpp"
-#include "tests/adapters/http/webhooks/client.hpp"
+#include "tests/support/tcp_client.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/parlour/status/node_watch.hpp"
 #include "tools/parlour/status/running_nodes.hpp"

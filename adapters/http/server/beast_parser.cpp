@@ -5,7 +5,7 @@
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
 
-#include "adapters/http/webhooks/request_parser.hpp"
+#include "adapters/http/server/request_parser.hpp"
 
 namespace parlour::adapters::http {
 
@@ -43,10 +43,10 @@ public:
                                                        : 400;
   }
 
-  WebhookRequest request() const override {
+  ReceivedRequest request() const override {
     using Field = beast::http::field;
     const auto& message = parser_.get();
-    WebhookRequest request;
+    ReceivedRequest request;
     request.method = text_of(message.method_string());
     request.content_type = text_of(message[Field::content_type]);
     request.authorization = text_of(message[Field::authorization]);

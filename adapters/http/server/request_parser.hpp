@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-#include "adapters/http/webhooks/webhook_request.hpp"
+#include "adapters/http/server/received_request.hpp"
 
 namespace parlour::adapters::http {
 
@@ -21,7 +21,7 @@ public:
   // (it is no HTTP), 413 (its body is too large) or 431 (its head is).
   virtual int take(std::string_view bytes) = 0;
   // Once it is complete.
-  virtual WebhookRequest request() const = 0;
+  virtual ReceivedRequest request() const = 0;
 };
 
 // By Boost.Beast; null if this build lacks it.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -13,7 +14,7 @@ namespace parlour::test {
 
 class Client {
 public:
-  // "http://127.0.0.1:PORT".
+  // "http://127.0.0.1:PORT", or without the scheme.
   explicit Client(const std::string& address)
       : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in to{};
@@ -27,7 +28,7 @@ public:
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
   ~Client() {
-    close(socket_);
+    close();
   }
 
   bool is_connected() const {
@@ -41,6 +42,10 @@ public:
         return;
       sent += static_cast<std::size_t>(took);
     }
+  }
+  void close() {
+    if (socket_ >= 0)
+      ::close(std::exchange(socket_, -1));
   }
   // Sends nothing more.
   void shut() {

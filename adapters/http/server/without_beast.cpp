@@ -1,6 +1,6 @@
 // What takes the place of beast_parser.cpp where Boost is missing: services can
-// be asked, but cannot report by themselves.
-#include "adapters/http/webhooks/request_parser.hpp"
+// be asked, but nobody can ask or report to us.
+#include "adapters/http/server/request_parser.hpp"
 
 namespace parlour::adapters::http {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapters/http/webhooks/request_parser.hpp"
+#include "adapters/http/server/request_parser.hpp"
 
 namespace parlour::adapters::http {
 namespace {

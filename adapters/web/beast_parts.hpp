@@ -7,12 +7,19 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include <boost/asio/basic_socket_acceptor.hpp>
 #include <boost/asio/basic_stream_socket.hpp>
 #include <boost/asio/basic_waitable_timer.hpp>
+#include <boost/asio/error.hpp>
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/posix/basic_stream_descriptor.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/wait_traits.hpp>
+#include <boost/system/system_error.hpp>
 
 #include "adapters/web/text_server.hpp"
 #include "adapters/web/visit.hpp"
@@ -21,22 +28,32 @@ namespace parlour::adapters::web {
 
 namespace net = boost::asio;
 using net::ip::tcp;
-using ErrorCode = boost::system::error_code;
-using Executor = net::io_context::executor_type;
-using Socket = net::basic_stream_socket<tcp, Executor>;
-using SteadyClock = std::chrono::steady_clock;
-using Timer =
-    net::basic_waitable_timer<SteadyClock, net::wait_traits<SteadyClock>,
-                              Executor>;
 
-// "127.0.0.1:4000".
-std::string text_of(const tcp::endpoint& end);
+// What LoopOver and AcceptorOver use of Boost.Asio, which Boost.Beast needs
+// (adapters/loop/standalone_asio.hpp).
+struct BoostAsio {
+  using Clock = std::chrono::steady_clock;
+  using Context = net::io_context;
+  using Executor = Context::executor_type;
+  using WorkGuard = net::executor_work_guard<Executor>;
+  using Descriptor = net::posix::basic_stream_descriptor<Executor>;
+  using Timer =
+      net::basic_waitable_timer<Clock, net::wait_traits<Clock>, Executor>;
+  using Socket = net::basic_stream_socket<tcp, Executor>;
+  using Acceptor = net::basic_socket_acceptor<tcp, Executor>;
+  using Error = boost::system::error_code;
+  using Failure = boost::system::system_error;
+  static constexpr auto aborted = net::error::operation_aborted;
 
-// A server's thread: runs the context until nothing is left to do, with all
-// signals left to other threads. What a handler throws is told, and the others
-// go on.
-void run_until_done(net::io_context& context,
-                    const std::function<void(const std::string&)>& thrown);
+  static void post(Context& context, std::function<void()> action) {
+    net::post(context, std::move(action));
+  }
+};
+
+using ErrorCode = BoostAsio::Error;
+using Socket = BoostAsio::Socket;
+using SteadyClock = BoostAsio::Clock;
+using Timer = BoostAsio::Timer;
 
 // Lines and frames have one class each (beast_lines.cpp, beast_frames.cpp).
 // Each handler of asio holds the visit, so that it lives until the last one has

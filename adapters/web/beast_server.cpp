@@ -1,51 +1,20 @@
-#include <atomic>
-#include <csignal>
 #include <future>
 #include <mutex>
-#include <thread>
 #include <unordered_map>
 #include <utility>
 
-#include <boost/asio/basic_socket_acceptor.hpp>
-#include <boost/asio/executor_work_guard.hpp>
-#include <boost/asio/post.hpp>
-
+#include "adapters/loop/acceptor_over.hpp"
+#include "adapters/loop/loop_over.hpp"
 #include "adapters/web/beast_parts.hpp"
 #include "adapters/web/bounds.hpp"
 #include "adapters/web/text_server.hpp"
 
 namespace parlour::adapters::web {
 
-std::string text_of(const tcp::endpoint& end) {
-  const auto host = end.address().to_string();
-  return (end.address().is_v6() ? '[' + host + ']' : host) + ':' +
-         std::to_string(end.port());
-}
-
-// asio passes on what a handler throws, and can be run again then.
-void run_until_done(net::io_context& context,
-                    const std::function<void(const std::string&)>& thrown) {
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
-  for (;;)
-    try {
-      context.run();
-      return;
-    } catch (const std::exception& error) {
-      thrown(error.what());
-    } catch (...) {
-      thrown("an exception of an unknown type");
-    }
-}
-
 namespace {
 
-using Acceptor = net::basic_socket_acceptor<tcp, Executor>;
+using BoostLoop = LoopOver<BoostAsio>;
 
-// While the process has too many files open, accepting fails at once, again and
-// again.
-constexpr Milliseconds pause_between{200};
 // The system's own queue: thousands may come at once after a restart.
 constexpr int max_waiting_to_be_accepted = 4'096;
 // For last words, when the server ends.
@@ -57,50 +26,43 @@ constexpr Milliseconds time_to_end{2'000};
 // to read it; then all sockets are closed, and the thread returns.
 class BeastServer : public TextServer {
 public:
-  BeastServer(ServerOptions options, Host& host, Thrown thrown)
-      : options_(std::move(options)), thrown_(std::move(thrown)),
-        book_(options_.book, host), acceptor_(context_), pause_(context_),
-        expiry_(context_), parts_{context_, book_, options_,
-                                  [this](auto* visit) { remove(visit); },
-                                  [this](auto visit) { add(visit); }} {}
+  BeastServer(ServerOptions options, Host& host,
+              std::unique_ptr<BoostLoop> loop)
+      : options_(std::move(options)), loop_(std::move(loop)),
+        book_(options_.book, host), acceptor_(loop_->context()),
+        expiry_(loop_->context()), last_words_(loop_->context()) {}
 
   // Visitors of a run that was killed are in the book before anybody can
   // connect.
   Expected<void> listen() {
-    ErrorCode error;
-    const auto address = net::ip::make_address(options_.address, error);
-    const tcp::endpoint end(address, options_.port);
-    if (!error)
-      acceptor_.open(end.protocol(), error);
-    if (!error)
-      acceptor_.set_option(Acceptor::reuse_address(true), error);
-    if (!error)
-      acceptor_.bind(end, error);
-    if (!error)
-      acceptor_.listen(max_waiting_to_be_accepted, error);
-    if (error)
-      return fail(ErrorKind::network,
-                  "nobody can be served at " + options_.address + " port " +
-                      std::to_string(options_.port) + ": " + error.message());
-    address_ = text_of(acceptor_.local_endpoint());
     for (auto& left : options_.left)
       book_.bring_back(std::move(left), SteadyClock::now());
     options_.left = {};
-    await_expiry();
-    accept();
-    thread_ = std::thread([this] { run_until_done(context_, thrown_); });
+    ErrorCode error;
+    const auto address = net::ip::make_address(options_.address, error);
+    auto opened = error ? fail(ErrorKind::network, error.message())
+                        : acceptor_.open({address, options_.port},
+                                         max_waiting_to_be_accepted);
+    if (!opened)
+      return fail(ErrorKind::network, "nobody can be served at " +
+                                          options_.address + " port " +
+                                          std::to_string(options_.port) + ": " +
+                                          opened.error().message);
+    loop_->post([this] {
+      await_expiry();
+      accept();
+    });
     return {};
   }
 
+  // Its own timer ends what does not end by itself, long before the loop does.
   ~BeastServer() override {
-    if (!thread_.joinable())
-      return;
-    net::post(context_, [this] { end(); });
-    thread_.join();
+    loop_->post([this] { end(); });
+    loop_->stop(10 * time_to_end);
   }
 
   std::string address() const override {
-    return address_;
+    return acceptor_.address();
   }
 
   // -- conversations ----------------------------------------------------------
@@ -124,7 +86,7 @@ public:
   }
 
   void stop_accepting() override {
-    tell([](BeastServer& self) { self.close_acceptor(); });
+    tell([](BeastServer& self) { self.acceptor_.close(); });
   }
 
   // The caller waits, so the server's thread must not call this.
@@ -151,7 +113,7 @@ private:
       if (news_.size() > 1)
         return;
     }
-    net::post(context_, [this] {
+    loop_->post([this] {
       std::vector<News> all;
       {
         const std::lock_guard lock(mutex_);
@@ -164,31 +126,12 @@ private:
 
   // -- connections ------------------------------------------------------------
 
-  // One connection at a time is accepted, on the thread that serves all.
+  // Beyond the bound the socket is closed at once.
   void accept() {
-    acceptor_.async_accept(context_, [this](ErrorCode error, Socket socket) {
-      if (error == net::error::operation_aborted || !acceptor_.is_open())
-        return;
-      if (error)
-        return accept_later();
+    acceptor_.accept({[this](Socket socket) {
       if (visits_.size() < options_.book.sessions + max_without_session)
         start_line_visit(parts_, std::move(socket));
-      accept(); // beyond the bound the socket is closed at once
-    });
-  }
-
-  void accept_later() {
-    pause_.expires_after(pause_between);
-    pause_.async_wait([this](ErrorCode error) {
-      if (!error)
-        accept();
-    });
-  }
-
-  void close_acceptor() {
-    ErrorCode ignored;
-    acceptor_.close(ignored);
-    pause_.cancel();
+    }});
   }
 
   void add(std::shared_ptr<SocketVisit> visit) {
@@ -225,49 +168,49 @@ private:
   // Who is still there is told, and has a moment to read it.
   void end() {
     is_ending_ = true;
-    close_acceptor();
+    acceptor_.close();
     expiry_.cancel();
-    pause_.expires_after(time_to_end);
-    pause_.async_wait([this](ErrorCode) { let_end(); });
+    last_words_.expires_after(time_to_end);
+    last_words_.async_wait([this](ErrorCode) { let_end(); });
     for (const auto& [key, visit] : std::unordered_map(visits_))
       visit->turn_away("closing", "the server ends");
     if (visits_.empty())
       let_end();
   }
 
-  // The context returns from run() when the last handlers are done.
+  // The loop ends when the last handlers are done.
   void let_end() {
-    pause_.cancel();
-    stays_.reset();
+    last_words_.cancel();
     for (const auto& [key, visit] : std::unordered_map(visits_))
       visit->drop();
   }
 
   ServerOptions options_;
-  const Thrown thrown_;
-  net::io_context context_{1};
-  net::executor_work_guard<Executor> stays_{context_.get_executor()};
-  // Used on the server's thread only.
+  const std::unique_ptr<BoostLoop> loop_;
+  // Used on the loop's thread only, once that has something to do.
   VisitorBook book_;
-  Acceptor acceptor_;
-  Timer pause_;
+  AcceptorOver<BoostAsio> acceptor_;
   Timer expiry_;
+  Timer last_words_;
   std::optional<VisitorBook::Moment> awaited_;
   std::unordered_map<SocketVisit*, std::shared_ptr<SocketVisit>> visits_;
-  VisitParts parts_;
+  VisitParts parts_{loop_->context(), book_, options_,
+                    [this](auto* visit) { remove(visit); },
+                    [this](auto visit) { add(visit); }};
   bool is_ending_ = false;
-  std::string address_;
   std::mutex mutex_; // of what others tell
   std::vector<News> news_;
-  std::thread thread_;
 };
 
 } // namespace
 
 Expected<std::unique_ptr<TextServer>>
 TextServer::start(ServerOptions options, Host& host, Thrown thrown) {
-  auto server = std::make_unique<BeastServer>(std::move(options), host,
-                                              std::move(thrown));
+  auto loop = BoostLoop::start(std::move(thrown));
+  if (!loop)
+    return tl::make_unexpected(std::move(loop.error()));
+  auto server =
+      std::make_unique<BeastServer>(std::move(options), host, std::move(*loop));
   if (auto listening = server->listen(); !listening)
     return tl::make_unexpected(listening.error());
   return server;

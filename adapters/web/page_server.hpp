@@ -7,7 +7,9 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "adapters/http/server/request_server.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
 
@@ -44,9 +46,23 @@ public:
   static Expected<std::unique_ptr<PageServer>> start(PageServerOptions options,
                                                      Thrown thrown);
   // Waits for a page that is being made.
-  virtual ~PageServer() = default;
+  ~PageServer() = default;
 
-  virtual std::string address() const = 0; // "127.0.0.1:9464"
+  std::string address() const { // "127.0.0.1:9464"
+    return server_->address();
+  }
+
+private:
+  using Pages = std::map<std::string, std::function<Page()>>;
+  explicit PageServer(Pages pages) : pages_(std::move(pages)) {}
+
+  // On the server's thread.
+  adapters::http::Reply
+  answer(const adapters::http::ReceivedRequest& request) const;
+  adapters::http::Reply refuse(int status) const;
+
+  const Pages pages_;
+  std::unique_ptr<adapters::http::RequestServer> server_;
 };
 
 } // namespace parlour::adapters::web

@@ -1,4 +1,3 @@
-#include "adapters/web/page_server.hpp"
 #include "adapters/web/text_client.hpp"
 #include "adapters/web/text_server.hpp"
 
@@ -13,11 +12,6 @@ constexpr const char* missing =
 } // namespace
 
 Expected<std::unique_ptr<TextServer>> TextServer::start(ServerOptions, Host&,
-                                                        Thrown) {
-  return fail(ErrorKind::settings, missing);
-}
-
-Expected<std::unique_ptr<PageServer>> PageServer::start(PageServerOptions,
                                                         Thrown) {
   return fail(ErrorKind::settings, missing);
 }

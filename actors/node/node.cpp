@@ -195,9 +195,13 @@ SessionId Node::go_on(const SeatId& seat, dialogue::SavedSession saved) {
 SessionId Node::Implementation::open(
     const SeatId& seat, std::shared_ptr<const dialogue::SavedSession> saved) {
   auto session = runtime.open_session(seat_of(seat).actor, std::move(saved));
-  // It may be over already: a program without a beginning.
-  if (runtime.sessions().find(session))
-    set_session(seat, session);
+  // It may be over already: a program without a beginning. In real time it may
+  // end just now, but nobody finds it any more before the seat's calls, which
+  // wait for the lock, tell so.
+  std::lock_guard lock(mutex);
+  if (const auto found = seats.find(seat);
+      found != seats.end() && runtime.sessions().find(session))
+    found->second.session = session;
   return session;
 }
 

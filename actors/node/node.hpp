@@ -67,12 +67,13 @@ public:
   // then, or a new one where none is left. A configured seat exists from the
   // start under its name, also where nobody asks for it.
   SeatId open_seat(SeatCallbacks callbacks);
-  // A conversation begins: Session.Started is handled and the opening prompt
-  // released when this returns.
+  // A conversation begins: Session.Started is handled when this returns, and
+  // the opening prompt released as far as no other component words it. In
+  // virtual time that has done so, too, and the seat has been told.
   SessionId open(const SeatId& seat);
   // The same for one that a crash has left (engine rule 7.11): what it asked
-  // last is asked again when this returns. Empty where the seat has a session,
-  // or one of that id is there.
+  // last is asked again. Empty where the seat has a session, or one of that id
+  // is there.
   SessionId go_on(const SeatId& seat, dialogue::SavedSession saved);
   // The seat's session; empty where it has none.
   SessionId session_at(const SeatId& seat) const;

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <numeric>
 #include <utility>
 
-#include <caf/scoped_actor.hpp>
 #include <caf/send.hpp>
 #include <caf/typed_event_based_actor.hpp>
 
@@ -58,7 +56,7 @@ NodeRuntime::NodeRuntime(NodeOptions options)
   scheduler_->attach(*system_, time_);
   spawn_actors();
   reloader_ = std::make_unique<Reloader>(
-      Reloader::Parts{*system_, *scheduler_, time_, bus_, plugin_environment_,
+      Reloader::Parts{questions(), time_, bus_, plugin_environment_,
                       supervisor_, manager_},
       ChangedApplication{options_.program, options_.components,
                          options_.phrases, options_.understanding,
@@ -157,50 +155,21 @@ std::vector<std::size_t> NodeRuntime::in_starting_order() const {
 }
 
 Expected<void> NodeRuntime::start(std::size_t rank) {
-  return ask_supervisor(
-      load_component{std::make_shared<const ComponentOrder>(
-                         std::move(options_.components[rank])),
-                     rank + 1, time_.work.begin()});
+  return questions().order(
+      supervisor_, load_component{std::make_shared<const ComponentOrder>(
+                                      std::move(options_.components[rank])),
+                                  rank + 1, time_.work.begin()});
 }
 
 Expected<void> NodeRuntime::load(const std::string& plugin,
                                  const std::string& name) {
-  return ask_supervisor(load_plugin{plugin, name, time_.work.begin()});
+  return questions().order(supervisor_,
+                           load_plugin{plugin, name, time_.work.begin()});
 }
 
 Expected<void> NodeRuntime::unload(const std::string& name) {
-  return ask_supervisor(unload_component{name, time_.work.begin()});
-}
-
-template <class What>
-Expected<void> NodeRuntime::ask_supervisor(What what) {
-  caf::scoped_actor self(*system_);
-  auto answer = self->request(supervisor_, caf::infinite, std::move(what));
-  auto answered = [&](Milliseconds patience) {
-    return self->await_data(std::chrono::high_resolution_clock::now() +
-                            patience);
-  };
-  scheduler_->run_until_answered([&] { return answered(Milliseconds(0)); },
-                                 options_.drain_time);
-  Expected<void> outcome = fail(ErrorKind::cancelled, "interrupted");
-  if (!time_.work.interrupted() && answered(options_.drain_time))
-    answer.receive(
-        [&](component_done& done) { outcome = std::move(done.outcome); },
-        [](const caf::error&) {}); // the supervisor has ended
-  return outcome;
-}
-
-template <class Answer, class Actor, class What>
-std::optional<Answer> NodeRuntime::ask(const Actor& actor, What what) {
-  caf::scoped_actor self(*system_);
-  auto answer = self->request(actor, caf::infinite, std::move(what));
-  std::optional<Answer> told;
-  if (scheduler_->run_until_quiet())
-    answer.receive([&](Answer& it) { told = std::move(it); },
-                   [&](const caf::error& error) {
-                     observer_.log("no answer: " + system_->render(error));
-                   });
-  return told;
+  return questions().order(supervisor_,
+                           unload_component{name, time_.work.begin()});
 }
 
 // -- sessions -----------------------------------------------------------------
@@ -220,10 +189,16 @@ seat_actor NodeRuntime::open_seat(const std::string& name, SeatCalls calls) {
 SessionId
 NodeRuntime::open_session(const seat_actor& seat,
                           std::shared_ptr<const dialogue::SavedSession> saved) {
-  const auto opened = ask<session_opened>(
+  const auto opened = questions().ask<session_opened>(
       manager_,
       actors::open_session{seat, time_.work.begin(), std::move(saved)});
-  return opened ? opened->session : SessionId();
+  if (!opened)
+    return {};
+  // It answers when it has begun, as the manager has told it to before. Others
+  // may be busy for long.
+  if (scheduler_->detaches())
+    static_cast<void>(state_of(opened->session));
+  return opened->session;
 }
 
 void NodeRuntime::begin_visit(
@@ -248,8 +223,8 @@ Value NodeRuntime::slot_value(const SessionId& id, const std::string& topic,
   const auto session = sessions_.find(id);
   if (!session)
     return {};
-  const auto told =
-      ask<slot_told>(session, get_slot{topic, slot, time_.work.begin()});
+  const auto told = questions().ask<slot_told>(
+      session, get_slot{topic, slot, time_.work.begin()});
   return told ? told->value : Value();
 }
 
@@ -257,7 +232,8 @@ std::string NodeRuntime::state_of(const SessionId& id) {
   const auto session = sessions_.find(id);
   if (!session)
     return {};
-  const auto told = ask<state_told>(session, get_state{time_.work.begin()});
+  const auto told =
+      questions().ask<state_told>(session, get_state{time_.work.begin()});
   return told ? told->state : std::string();
 }
 

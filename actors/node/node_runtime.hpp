@@ -15,6 +15,7 @@
 #include "actors/components/instance/plugin_environment.hpp"
 #include "actors/components/supervision.hpp"
 #include "actors/node/node_options.hpp"
+#include "actors/node/node_questions.hpp"
 #include "actors/node/reloader.hpp"
 #include "actors/node/scheduler.hpp"
 #include "actors/node/status_collector.hpp"
@@ -36,8 +37,8 @@ public:
 
   // Starts the components in order; an error stops those that are up.
   Expected<void> start_components();
-  // While it runs; both return when it is done, or with an error of kind
-  // Cancelled when interrupted.
+  // While it runs; both return when it is done, or with an error as
+  // NodeQuestions says.
   Expected<void> load(const std::string& plugin, const std::string& name);
   Expected<void> unload(const std::string& name);
   // From any thread in real time, until stop() is called.
@@ -45,7 +46,7 @@ public:
     return *reloader_;
   }
   seat_actor open_seat(const std::string& name, SeatCalls calls);
-  // With `saved`: one that goes on.
+  // With `saved`: one that goes on. It has begun when this returns.
   SessionId
   open_session(const seat_actor& seat,
                std::shared_ptr<const dialogue::SavedSession> saved = nullptr);
@@ -93,13 +94,9 @@ private:
   // Of the components: places in the order of preference.
   std::vector<std::size_t> in_starting_order() const;
   Expected<void> start(std::size_t rank);
-  // Asks the supervisor and runs until it is done.
-  // `What` is a message that is answered by component_done.
-  template <class What>
-  Expected<void> ask_supervisor(What what);
-  // Asks an actor that answers at once; nothing where there is no answer.
-  template <class Answer, class Actor, class What>
-  std::optional<Answer> ask(const Actor& actor, What what);
+  NodeQuestions questions() {
+    return {*system_, *scheduler_, time_};
+  }
   void stop_sessions();
   void stop_components();
   // Ends those that are left, and forgets their handles.

@@ -1,20 +1,13 @@
 #include "actors/node/reloader.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <optional>
 #include <utility>
 
-#include <caf/scoped_actor.hpp>
 #include <malloc.h>
 
 namespace parlour::actors {
 
 namespace {
-
-// For what a component that is replaced has begun (Departures::drain_time), in
-// virtual time; in real time its answer is waited for.
-constexpr Milliseconds next_due{2'000};
 
 bool runs(const ComponentOrder& order) {
   return order.policy.scope.instances != 0;
@@ -66,8 +59,10 @@ Expected<ReloadOutcome> Reloader::reload(ChangedApplication to,
   environment.columns = to.columns;
   const auto readers = change_environment(
       std::make_shared<const PluginEnvironment>(std::move(environment)));
+  if (!readers)
+    return tl::make_unexpected(readers.error());
   ReloadOutcome outcome;
-  if (auto loaded = load_changed(to, readers, outcome.loaded); !loaded) {
+  if (auto loaded = load_changed(to, *readers, outcome.loaded); !loaded) {
     take_back(before, outcome.loaded);
     return tl::make_unexpected(std::move(loaded.error()));
   }
@@ -76,7 +71,7 @@ Expected<ReloadOutcome> Reloader::reload(ChangedApplication to,
         order(unload_component{one.name, parts_.time.work.begin()}))
       outcome.unloaded.push_back(one.name);
   parts_.bus.set_program(to.program);
-  const auto reloaded = ask<program_reloaded>(
+  const auto reloaded = parts_.questions.ask<program_reloaded>(
       parts_.manager,
       reload_program{to.program, to.phrases, mode, parts_.time.work.begin()});
   if (reloaded)
@@ -86,11 +81,15 @@ Expected<ReloadOutcome> Reloader::reload(ChangedApplication to,
   return outcome;
 }
 
-Reloader::Readers Reloader::change_environment(SharedEnvironment::Pointer to) {
-  auto changed = ask<environment_changed>(
-      parts_.supervisor,
-      actors::change_environment{std::move(to), parts_.time.work.begin()});
-  return changed ? std::move(changed->readers) : Readers();
+Expected<Reloader::Readers>
+Reloader::change_environment(SharedEnvironment::Pointer to) {
+  return parts_.questions
+      .ask<environment_changed>(
+          parts_.supervisor,
+          actors::change_environment{std::move(to), parts_.time.work.begin()})
+      .map([](environment_changed changed) {
+        return std::move(changed.readers);
+      });
 }
 
 // -- components ---------------------------------------------------------------
@@ -136,7 +135,7 @@ Expected<void> Reloader::load_changed(const ChangedApplication& to,
 // supervisor.
 void Reloader::take_back(const SharedEnvironment::Pointer& environment,
                          const std::vector<std::string>& loaded) {
-  const auto readers = change_environment(environment);
+  const auto readers = change_environment(environment).value_or(Readers());
   std::vector<std::string> again;
   for (const auto& name : loaded) {
     const auto* before = find_order(current_.components, name);
@@ -149,37 +148,6 @@ void Reloader::take_back(const SharedEnvironment::Pointer& environment,
       static_cast<void>(
           order(unload_component{name, parts_.time.work.begin()}));
   }
-}
-
-// -- asking -------------------------------------------------------------------
-
-// In real time sessions may keep the node busy for ever: only the answer is
-// waited for.
-template <class Answer, class Actor, class What>
-std::optional<Answer> Reloader::ask(const Actor& actor, What what) {
-  caf::scoped_actor self(parts_.system);
-  auto answer = self->request(actor, caf::infinite, std::move(what));
-  auto& scheduler = parts_.scheduler;
-  if (!scheduler.detaches()) {
-    auto answered = [&] {
-      return self->await_data(std::chrono::high_resolution_clock::now());
-    };
-    scheduler.run_until_answered(answered, next_due);
-    if (!answered())
-      return std::nullopt; // interrupted
-  }
-  std::optional<Answer> told;
-  answer.receive([&](Answer& it) { told = std::move(it); },
-                 [](const caf::error&) {}); // it has ended
-  return told;
-}
-
-template <class What>
-Expected<void> Reloader::order(What what) {
-  auto done = ask<component_done>(parts_.supervisor, std::move(what));
-  if (!done)
-    return fail(ErrorKind::cancelled, "the application stops");
-  return std::move(done->outcome);
 }
 
 } // namespace parlour::actors

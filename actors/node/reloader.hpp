@@ -5,13 +5,12 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
-
-#include <caf/actor_system.hpp>
 
 #include "actors/components/instance/plugin_environment.hpp"
 #include "actors/node/changed_application.hpp"
-#include "actors/node/scheduler.hpp"
+#include "actors/node/node_questions.hpp"
 #include "actors/protocol/interfaces.hpp"
 #include "actors/routing/message_bus.hpp"
 
@@ -23,8 +22,7 @@ class Reloader {
 public:
   // What is referred to belongs to the node, which outlives this.
   struct Parts {
-    caf::actor_system& system;
-    Scheduler& scheduler;
+    NodeQuestions questions;
     NodeTime& time;
     MessageBus& bus;
     const SharedEnvironment& environment;
@@ -41,13 +39,11 @@ private:
   // A plug-in by the name of the component that it was loaded as.
   using Readers = std::map<std::string, std::string>;
 
-  // Nothing where the node stops before there is an answer.
-  template <class Answer, class Actor, class What>
-  std::optional<Answer> ask(const Actor& actor, What what);
-  // Asks the supervisor; the error is that the component does not start.
   template <class What>
-  Expected<void> order(What what);
-  Readers change_environment(SharedEnvironment::Pointer to);
+  Expected<void> order(What what) {
+    return parts_.questions.order(parts_.supervisor, std::move(what));
+  }
+  Expected<Readers> change_environment(SharedEnvironment::Pointer to);
   // One component of the settings; its name goes to `loaded`.
   Expected<void> load(const ComponentOrder& order,
                       std::vector<std::string>& loaded);

@@ -241,6 +241,7 @@ TEST_F(ReloaderTest, AnotherThreadMayAskForIt) {
   options.virtual_start = {};
   start_with(counter("One:"), "Desk");
   node->open(seat);
+  node->run_until_quiet();
   said();
   const auto to = changed(counter("Two:"), "", "Desk");
   auto done = std::async(std::launch::async, [&] {

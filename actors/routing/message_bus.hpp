@@ -16,9 +16,9 @@
 #include "actors/protocol/interfaces.hpp"
 #include "actors/routing/reply_registry.hpp"
 #include "actors/routing/routing_table.hpp"
-#include "actors/routing/shared_table.hpp"
 #include "actors/support/node_time.hpp"
 #include "actors/support/observer.hpp"
+#include "actors/support/shared_by_threads.hpp"
 
 namespace parlour::actors {
 
@@ -85,7 +85,7 @@ public:
   // Whose routes and openings count from now on.
   void set_program(std::shared_ptr<const script::Program> program);
   // What senders apply; never null.
-  SharedTable::Pointer table() const {
+  SharedByThreads<RoutingTable>::Pointer table() const {
     return table_.load();
   }
   // Whether it is what somebody said, as a recogniser heard it.
@@ -179,7 +179,7 @@ private:
   // What every table has in common; without targets. `program` alone changes,
   // with `storing_` held.
   RoutingTable::Parts parts_;
-  SharedTable table_;
+  SharedByThreads<RoutingTable> table_;
   ReplyRegistry replies_;
   SharedByThreads<message_centre_actor> centre_; // null: none
   std::mutex storing_; // the table, one after the other

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "actors/routing/shared_table.hpp"
+#include "actors/support/shared_by_threads.hpp"
 #include "runtime/message/phrases.hpp"
 #include "runtime/message/understanding.hpp"
 #include "runtime/plugin/plugin.hpp"

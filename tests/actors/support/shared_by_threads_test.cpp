@@ -1,23 +1,20 @@
+#include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
-#include "actors/routing/shared_table.hpp"
-#include "tests/actors/node_fixture.hpp"
+#include <gtest/gtest.h>
+
+#include "actors/support/shared_by_threads.hpp"
 
 namespace parlour::actors {
 namespace {
 
-SharedTable::Pointer some_table() {
-  RoutingTable::Parts parts;
-  parts.program = compile("");
-  return std::make_shared<const RoutingTable>(std::move(parts));
-}
-
-TEST(SharedTable, ShowsTheLastOneToEveryThread) {
-  SharedTable shared;
+TEST(SharedByThreads, ShowsTheLastOneToEveryThread) {
+  SharedByThreads<int> shared;
   EXPECT_EQ(shared.load(), nullptr);
-  shared.store(some_table());
-  const auto last = some_table();
+  shared.store(std::make_shared<const int>(1));
+  const auto last = std::make_shared<const int>(2);
   shared.store(last);
   std::vector<std::thread> threads;
   for (int i = 0; i < 40; ++i) // more than there are places
@@ -28,7 +25,7 @@ TEST(SharedTable, ShowsTheLastOneToEveryThread) {
   EXPECT_EQ(shared.load(), nullptr);
 }
 
-TEST(SharedTable, ShowsEachThreadOneAfterTheOtherWhileTheyAreStored) {
+TEST(SharedByThreads, ShowsEachThreadOneAfterTheOtherWhileTheyAreStored) {
   SharedByThreads<int> shared;
   shared.store(std::make_shared<const int>(0));
   constexpr int last = 1000;
@@ -47,13 +44,13 @@ TEST(SharedTable, ShowsEachThreadOneAfterTheOtherWhileTheyAreStored) {
     thread.join();
 }
 
-TEST(SharedTable, KeepsOneForWhoUsesItAndNoLonger) {
-  SharedTable shared;
-  auto table = some_table();
-  const std::weak_ptr first = table;
-  shared.store(std::exchange(table, some_table()));
+TEST(SharedByThreads, KeepsOneForWhoUsesItAndNoLonger) {
+  SharedByThreads<int> shared;
+  auto next = std::make_shared<const int>(1);
+  const std::weak_ptr first = next;
+  shared.store(std::exchange(next, std::make_shared<const int>(2)));
   auto used = shared.load();
-  shared.store(table);
+  shared.store(next);
   EXPECT_FALSE(first.expired());
   used.reset();
   EXPECT_TRUE(first.expired());

@@ -1,4 +1,4 @@
-#include "actors/routing/shared_table.hpp"
+#include "actors/support/shared_by_threads.hpp"
 
 namespace parlour::actors {
 

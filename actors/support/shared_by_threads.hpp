@@ -1,14 +1,13 @@
-// SharedTable: the routing table that senders apply, on every thread with each
-// message.
+// SharedByThreads: what is replaced now and then, and read on every thread with
+// each message.
 #pragma once
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <memory>
 #include <thread>
 #include <utility>
-
-#include "actors/routing/routing_table.hpp"
 
 namespace parlour::actors {
 
@@ -83,7 +82,5 @@ private:
   // More threads than that share copies, which is slower and nothing else.
   std::array<Copy, 16> copies_;
 };
-
-using SharedTable = SharedByThreads<RoutingTable>;
 
 } // namespace parlour::actors

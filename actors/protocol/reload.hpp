@@ -73,7 +73,8 @@ struct change_program {
   InFlight work;
 };
 struct program_changed {
-  bool later = false; // something is going on that comes to its end first
+  bool has_ended = false; // nothing goes over any more
+  bool later = false;     // something is going on that comes to its end first
   std::vector<std::string> lost = {};
 };
 // The time for that is over; a session sends this to itself.

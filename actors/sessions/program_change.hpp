@@ -49,7 +49,10 @@ struct ReloadTally {
   std::size_t left = 0; // sessions that have not answered
   ReloadedSessions told = {};
 
+  // One that has ended is counted nowhere, as one that does not answer.
   void take(const program_changed& what) {
+    if (what.has_ended)
+      return;
     ++(what.later ? told.later : told.gone_over);
     for (const auto& one : what.lost)
       ++told.lost[one];

@@ -77,7 +77,7 @@ session_actor::behavior_type over(Self self) {
       [=](const record_written& what) {
         self->state.dialogue->written(what.record);
       },
-      [](const change_program&) { return program_changed(); },
+      [](const change_program&) { return program_changed{.has_ended = true}; },
       [](const scripts_over&) {}, [](const rest_if_idle&) {},
       [=](const leave&) { self->quit(); },
       [=](const get_status& what) { return tell_session_status(self, what); });

@@ -22,10 +22,13 @@ TEST(ProgramChangeTest, FindsNamesOnceForEachProgram) {
 TEST(ReloadTallyTest, IsToldWhenTheLastHasAnswered) {
   std::vector<ReloadedSessions> told;
   ReloadTally tally{
-      [&](const program_reloaded& what) { told.push_back(what.sessions); }, 3};
+      [&](const program_reloaded& what) { told.push_back(what.sessions); }, 4};
   tally.take({.lost = {"the state 'A'"}});
   tally.one_less();
   tally.take({.later = true, .lost = {"the state 'A'"}});
+  tally.one_less();
+  EXPECT_TRUE(told.empty());
+  tally.take({.has_ended = true});
   tally.one_less();
   EXPECT_TRUE(told.empty());
   tally.one_less(); // one that ended before it answered

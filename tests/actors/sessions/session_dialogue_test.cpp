@@ -322,6 +322,22 @@ TEST_F(JournaledSessionTest, ALateTurnWaitsForTheEndToBeWritten) {
   EXPECT_TRUE(node->session_at(seat).empty());
 }
 
+// It is there until its end is written, and goes over to nothing.
+TEST_F(JournaledSessionTest, ASessionThatHasEndedDoesNotGoOver) {
+  start_with("<speak param='Bye.'/><end/>");
+  journal->writes_at_once = false;
+  say({"bye"});
+  EXPECT_FALSE(node->session_at(seat).empty());
+  ChangedApplication to;
+  to.program = compile(echo);
+  const auto outcome = node->reload(to, ReloadMode::keep);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->sessions.gone_over, 0U);
+  EXPECT_EQ(outcome->sessions.later, 0U);
+  journal->write();
+  node->run_until_quiet();
+}
+
 // It has no room for the end of a session.
 class ForgetsTheEnd : public test::MemoryJournal {
 public:

@@ -116,6 +116,22 @@ bool Client::post(Loop::Action action, std::size_t bytes) {
   return true;
 }
 
+void Client::post(const SessionId& session, Loop::Action action,
+                  std::size_t bytes, Loop::Action lost) {
+  if (post(std::move(action), bytes))
+    return;
+  const std::lock_guard lock(mutex_);
+  if (!losing_.insert(session).second)
+    return;
+  post([this, session, lost = std::move(lost)] {
+    {
+      const std::lock_guard locked(mutex_);
+      losing_.erase(session);
+    }
+    lost();
+  });
+}
+
 // The watch goes on the loop's thread, where its connection lives.
 void Client::end(Loop::Action action) {
   if (std::exchange(is_ended_, true))

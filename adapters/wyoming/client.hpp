@@ -5,6 +5,8 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,10 @@ public:
   // The same for an action that keeps so many bytes. False: too many wait
   // already, and it is not done.
   bool post(Loop::Action action, std::size_t bytes);
+  // The same for what a session says. Where it is not done, `lost` is, as there
+  // is a hole now: for each session once, and again when that has been done.
+  void post(const SessionId& session, Loop::Action action, std::size_t bytes,
+            Loop::Action lost);
   // Has the action done there as the last one, and waits for it. Nothing is
   // done any more after that.
   // Later calls do nothing. The plug-in answers what it owes in `action`.
@@ -90,6 +96,8 @@ private:
 
   const std::unique_ptr<Loop> loop_;
   std::atomic<std::size_t> posted_ = 0;
+  std::mutex mutex_;
+  std::set<SessionId> losing_; // their `lost` is posted
   Resolver resolver_;
   Route route_;
   Milliseconds answer_timeout_{};

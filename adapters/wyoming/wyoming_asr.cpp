@@ -2,8 +2,6 @@
 
 #include <chrono>
 #include <map>
-#include <mutex>
-#include <set>
 #include <utility>
 
 #include "adapters/audio/pcm.hpp"
@@ -72,13 +70,16 @@ public:
   // Thread-safe.
   void hear(const Message& message, std::string samples) {
     const auto size = samples.size();
-    const bool is_posted = client_->post(
+    client_->post(
+        message.session,
         [this, message, samples = std::move(samples)] {
           heard(message, samples);
         },
-        size);
-    if (!is_posted)
-      lose(message);
+        size,
+        [this, message] {
+          if (!turn_of(message).is_finished)
+            closed(message.session, too_slow);
+        });
   }
   // It has no audio, so that no bound holds for it: each Finish has to be
   // answered.
@@ -108,22 +109,6 @@ private:
     std::string partial;
     std::int64_t revision = 0;
   };
-
-  // What was to be posted was too much: the session's turn has a hole, so it is
-  // told once, and never more than once at a time.
-  void lose(const Message& message) {
-    const std::lock_guard lock(mutex_);
-    if (!losing_.insert(message.session).second)
-      return;
-    client_->post([this, message] {
-      {
-        const std::lock_guard locked(mutex_);
-        losing_.erase(message.session);
-      }
-      if (!turn_of(message).is_finished)
-        closed(message.session, too_slow);
-    });
-  }
 
   // The session's turn, which begins if there is none.
   // A turn beyond the bound exists, too, so that its Finish can be answered
@@ -267,8 +252,6 @@ private:
   const std::string model_;
   const std::string language_;
   std::map<SessionId, Turn> turns_;
-  std::mutex mutex_;
-  std::set<SessionId> losing_; // they are told soon
 };
 
 WyomingASR::WyomingASR() = default;

@@ -1,6 +1,5 @@
 #include "adapters/wyoming/wyoming_wake.hpp"
 
-#include <atomic>
 #include <map>
 #include <utility>
 
@@ -57,15 +56,15 @@ public:
   void hear(const Message& message, std::string samples,
             std::optional<std::int64_t> position) {
     const auto size = samples.size();
-    const bool is_posted =
-        client_->post([this, message, samples = std::move(samples),
-                       position] { heard(message, samples, position); },
-                      size);
-    if (!is_posted && !is_losing_.exchange(true))
-      client_->post([this, message] {
-        is_losing_ = false;
-        closed(message.session, "it takes too little of what is sent");
-      });
+    client_->post(
+        message.session,
+        [this, message, samples = std::move(samples), position] {
+          heard(message, samples, position);
+        },
+        size,
+        [this, session = message.session] {
+          closed(session, "it takes too little of what is sent");
+        });
   }
   // The protocol cannot change the words of a connection: all begin anew.
   void look_for(Keywords keywords) {
@@ -172,8 +171,7 @@ private:
   const std::unique_ptr<wyoming::Client> client_;
   Keywords keywords_;
   std::map<SessionId, Stream> streams_;
-  bool is_full_ = false;                // that has been told
-  std::atomic<bool> is_losing_ = false; // that is told soon
+  bool is_full_ = false; // that has been told
 };
 
 WyomingWake::WyomingWake() : RolePlugin("KeywordSpotter") {

@@ -13,10 +13,6 @@ namespace {
 
 using Texts = Expected<std::vector<std::string>>;
 
-// As for SQLite: enough for the names of everybody in a large building.
-constexpr std::size_t max_rows = 1'000'000;
-constexpr std::size_t max_bytes = 256 << 20;
-
 // Runs schema and seed in an SQLite database in memory and reads it there, so
 // that no server is needed.
 Texts of_schema_and_seed(const MariaDBOptions& options,
@@ -27,27 +23,6 @@ Texts of_schema_and_seed(const MariaDBOptions& options,
   return read_column(made, reference);
 }
 
-Texts ask(MariaDBConnection& connection, const MariaDBOptions& options,
-          const ColumnReference& place) {
-  auto opened =
-      carry_out(connection, connection.open(MariaDBConnection::To::database));
-  if (!opened)
-    return tl::make_unexpected(opened.error());
-  connection.give_time(options.query_timeout);
-  const auto column = "\"" + place.column + "\"";
-  auto answer = carry_out(
-      connection,
-      connection.run("select distinct " + column + " from \"" + place.table +
-                         "\" where " + column + " is not null order by 1",
-                     {}, Access::read));
-  if (!answer)
-    return tl::make_unexpected(answer.error());
-  std::vector<std::string> values;
-  for (const auto& cell : answer->rows.cells)
-    values.push_back(cell.text());
-  return values;
-}
-
 Texts read_column(const MariaDBOptions& options, const std::string& reference) {
   if (options.copy)
     return of_schema_and_seed(options, reference);
@@ -55,7 +30,12 @@ Texts read_column(const MariaDBOptions& options, const std::string& reference) {
   if (!place)
     return tl::make_unexpected(place.error());
   MariaDBConnection connection(std::make_shared<const MariaDBOptions>(options));
-  auto values = ask(connection, options, *place);
+  auto values =
+      carry_out(connection, connection.open(MariaDBConnection::To::database))
+          .and_then([&](const StatementAnswer&) {
+            connection.give_time(options.query_timeout);
+            return read_column(connection, *place);
+          });
   // The server answers, but the database or the table does not exist: it will
   // be created when the component starts.
   const auto code = connection.state().code();
@@ -74,14 +54,29 @@ Texts read_column(const MariaDBOptions& options, const std::string& reference) {
 
 } // namespace
 
+MariaDBOptions with_room_for_a_column(MariaDBOptions options) {
+  options.rows = max_column_rows;
+  options.bytes = max_column_bytes;
+  return options;
+}
+
+Expected<std::vector<std::string>> read_column(MariaDBConnection& connection,
+                                               const ColumnReference& place) {
+  auto answer = carry_out(
+      connection, connection.run(select_values_of(place), {}, Access::read));
+  if (!answer)
+    return tl::make_unexpected(answer.error());
+  std::vector<std::string> values;
+  for (const auto& cell : answer->rows.cells)
+    values.push_back(cell.text());
+  return values;
+}
+
 ColumnReader mariadb_column_reader(const Options& options,
                                    const std::string& application_folder) {
   auto read = read_mariadb_options(options, application_folder);
-  // A column may be larger than the result of a query.
-  if (read) {
-    read->rows = max_rows;
-    read->bytes = max_bytes;
-  }
+  if (read)
+    *read = with_room_for_a_column(std::move(*read));
   return [read = std::move(read)](const std::string& reference) {
     return read.and_then([&](const MariaDBOptions& known) {
       return read_column(known, reference);

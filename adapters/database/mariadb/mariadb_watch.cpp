@@ -3,21 +3,20 @@
 #include <algorithm>
 #include <utility>
 
-#include "adapters/database/sqlite/sqlite_columns.hpp"
+#include "adapters/database/column_reference.hpp"
+#include "adapters/database/mariadb/mariadb_columns.hpp"
 
 namespace parlour::adapters {
 
 namespace {
 
-// As for the columns that are read at the start.
-constexpr std::size_t max_rows = 1'000'000;
-constexpr std::size_t max_bytes = 256 << 20;
+using Steady = std::chrono::steady_clock;
+
 // The plug-in must not wait longer when it stops.
 constexpr Milliseconds patience{1'000};
 
 std::shared_ptr<const MariaDBOptions> of_columns(MariaDBOptions options) {
-  options.rows = max_rows;
-  options.bytes = max_bytes;
+  options = with_room_for_a_column(std::move(options));
   options.connect_timeout = std::min(options.connect_timeout, patience);
   return std::make_shared<const MariaDBOptions>(std::move(options));
 }
@@ -29,6 +28,11 @@ std::string signature_of(const ColumnReference& place) {
 }
 
 } // namespace
+
+std::chrono::steady_clock::duration
+pause_after_look(std::chrono::steady_clock::duration took, Milliseconds watch) {
+  return std::max<Steady::duration>(watch, 10 * took);
+}
 
 Expected<std::unique_ptr<MariaDBWatch>>
 MariaDBWatch::start(const MariaDBOptions& options,
@@ -62,11 +66,19 @@ void MariaDBWatch::look_now() {
   done.get_future().wait();
 }
 
+// An attempt to connect counts for nothing: it is no work for the server.
 void MariaDBWatch::look() {
+  auto took = Steady::duration::zero();
+  if (is_connected()) {
+    const auto begun = Steady::now();
+    compare();
+    took = Steady::now() - begun;
+  }
   if (options_->watch != Milliseconds::zero())
-    alarm_.set(std::chrono::steady_clock::now() + options_->watch);
-  if (!is_connected())
-    return;
+    alarm_.set(Steady::now() + pause_after_look(took, options_->watch));
+}
+
+void MariaDBWatch::compare() {
   auto now = signature();
   if (!now || *now == last_)
     return;
@@ -113,18 +125,7 @@ Expected<ValueWatch::Values> MariaDBWatch::read(const std::string& column) {
   if (!place)
     return tl::make_unexpected(place.error());
   connection_->give_time(options_->query_timeout);
-  const auto name = "\"" + place->column + "\"";
-  auto answer = carry_out(
-      *connection_,
-      connection_->run("select distinct " + name + " from \"" + place->table +
-                           "\" where " + name + " is not null order by 1",
-                       {}, Access::read));
-  if (!answer)
-    return tl::make_unexpected(answer.error());
-  ValueWatch::Values values;
-  for (const auto& cell : answer->rows.cells)
-    values.push_back(cell.text());
-  return values;
+  return read_column(*connection_, *place);
 }
 
 } // namespace parlour::adapters

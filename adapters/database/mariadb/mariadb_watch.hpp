@@ -1,9 +1,11 @@
 // MariaDBWatch notices that a column has other values than before, whoever
 // wrote them. A server tells nobody of changes, so it is asked every so often:
 // how many rows there are and the sum of their checksums. Only if that differs,
-// the values are read.
+// the values are read. No index helps the server with the sum, which reads the
+// whole table: what a look costs is bounded by the pause after it.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <future>
 #include <map>
@@ -17,6 +19,11 @@
 #include "adapters/loop/loop.hpp"
 
 namespace parlour::adapters {
+
+// At least `watch`, and so long that the server spends at most a tenth of its
+// time on the looks of one program.
+std::chrono::steady_clock::duration
+pause_after_look(std::chrono::steady_clock::duration took, Milliseconds watch);
 
 class MariaDBWatch {
 public:
@@ -41,6 +48,7 @@ private:
 
   // On the loop's thread.
   void look();
+  void compare();
   bool is_connected();
   // Nothing: the server does not answer.
   std::optional<std::string> signature();

@@ -1,8 +1,6 @@
 #include "adapters/database/sqlite/sqlite_columns.hpp"
 
-#include <algorithm>
-#include <string_view>
-
+#include "adapters/database/column_reference.hpp"
 #include "adapters/database/sqlite/sqlite_image.hpp"
 #include "adapters/database/sqlite/sqlite_open.hpp"
 
@@ -10,24 +8,10 @@ namespace parlour::adapters {
 
 namespace {
 
-// Larger than the limits of a query: the names of everybody in a large building
-// must fit. Still bounded, so that a reference to the wrong table, such as one
-// of measurements, does not exhaust the memory.
-constexpr SQLiteLimits column_limits{.rows = 1'000'000,
-                                     .bytes = 256 << 20,
+constexpr SQLiteLimits column_limits{.rows = max_column_rows,
+                                     .bytes = max_column_bytes,
                                      .steps = 1'000'000'000,
                                      .statements = 1};
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-bool is_name(std::string_view text) {
-  return !text.empty() && is_letter(text.front()) &&
-         std::all_of(text.begin(), text.end(), [](char c) {
-           return is_letter(c) || (c >= '0' && c <= '9');
-         });
-}
 
 // Whether the database is a file that already exists.
 bool is_there(const SQLiteOptions& options) {
@@ -60,30 +44,10 @@ Expected<SQLiteHandle> open_to_read(const SQLiteOptions& options) {
 
 } // namespace
 
-Expected<ColumnReference> parse_column(const std::string& reference) {
-  std::string_view rest = reference;
-  if (rest.starts_with("db:"))
-    rest.remove_prefix(3);
-  // Without a point the second part is empty, which is_name rejects.
-  const auto point = std::min(rest.find('.'), rest.size());
-  const auto table = rest.substr(0, point);
-  const auto column = rest.substr(std::min(point + 1, rest.size()));
-  if (!is_name(table) || !is_name(column))
-    return fail(ErrorKind::settings,
-                "'" + reference +
-                    "' is not a column; write it as 'db:table.column'.");
-  return ColumnReference{std::string(table), std::string(column)};
-}
-
-// Both names are plain, so quoting them is safe.
 Expected<std::vector<std::string>> read_column(SQLiteConnection& connection,
                                                const std::string& reference) {
   return parse_column(reference).and_then([&](const ColumnReference& place) {
-    const auto column = "\"" + place.column + "\"";
-    return connection.texts("select distinct " + column + " from \"" +
-                                place.table + "\" where " + column +
-                                " is not null order by 1",
-                            column_limits);
+    return connection.texts(select_values_of(place), column_limits);
   });
 }
 

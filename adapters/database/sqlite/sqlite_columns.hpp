@@ -11,23 +11,14 @@
 
 namespace parlour::adapters {
 
-struct ColumnReference {
-  std::string table;
-  std::string column;
-};
-
-// Parses "db:table.column"; "db:" may be omitted. Both parts must be plain
-// names ([A-Za-z_][A-Za-z0-9_]*): they are pasted into a statement, and nothing
-// else may reach it. The error has the kind Settings.
-Expected<ColumnReference> parse_column(const std::string& reference);
-
-// The same over a connection that is open.
+// The distinct values in ascending order, without NULL, over a connection that
+// is open.
 Expected<std::vector<std::string>> read_column(SQLiteConnection& connection,
                                                const std::string& reference);
 
-// The distinct values in ascending order, without NULL. Reads the database file
-// if it exists, else the database that schema and seed would create; creates no
-// file. Thread-safe; blocks for some milliseconds.
+// The same of the database file if it exists, else of that which schema and
+// seed would create; creates no file. Thread-safe; blocks for some
+// milliseconds.
 Expected<std::vector<std::string>> read_column(const SQLiteOptions& options,
                                                const std::string& reference);
 

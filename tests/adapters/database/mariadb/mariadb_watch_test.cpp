@@ -53,6 +53,12 @@ private:
   std::unique_ptr<MariaDBWatch> watch_;
 };
 
+TEST(MariaDBWatch, LooksMoreRarelyWhereALookTakesLong) {
+  EXPECT_EQ(pause_after_look(2ms, 300ms), 300ms);
+  EXPECT_EQ(pause_after_look(400ms, 300ms), 4s);
+  EXPECT_EQ(pause_after_look(0ms, 5ms), 5ms);
+}
+
 TEST_F(MariaDBWatchTest, NoticesByItselfWhatOthersWrite) {
   watch("db:staff.name", "5ms");
   write("delete from staff where name <> 'Lim'");

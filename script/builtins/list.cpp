@@ -36,9 +36,11 @@ bool contains(BuiltinCall& call) {
     return call.wrong_type(0, "a string, list or map");
   auto budget = call.machine.walk_budget();
   bool found = false;
-  const auto outcome = is_in(call[1], call[0], found, budget);
+  auto outcome = is_in(call[1], call[0], found, budget);
   if (!call.pay(budget))
     return false;
+  if (outcome && outcome->kind == ErrorKind::limit)
+    return call.machine.raise(std::move(*outcome));
   return outcome ? call.wrong_type(0, "a string, list or map")
                  : call.give_flag(found);
 }

@@ -147,32 +147,4 @@ Outcome order(const Box& left, const Box& right, Order& result,
   return {};
 }
 
-Outcome is_in(const Box& element, const Box& container, bool& result,
-              WalkBudget& budget) {
-  result = false;
-  if (container.is_unknown())
-    return {};
-  // In maps `in` looks for a key and in strings for a part, both of the printed
-  // form of the element (language rule 3.11).
-  if (container.is_list()) {
-    for (const auto& candidate : container.list()->elements)
-      if ((result = equal(candidate, element, budget)) || budget.exhausted())
-        break;
-    return {};
-  }
-  std::string text;
-  print(text, element, 1 << 20);
-  if (!budget.bytes(text.size() + digits_of(container)))
-    return {};
-  if (container.is_map())
-    result = container.map()->find(text) != nullptr;
-  else if (container.is_string())
-    result = find_text(container.text(), text) != std::string_view::npos;
-  else
-    return Failure{ErrorKind::type, "'in' needs a list, a map or a string on "
-                                    "its right, not " +
-                                        a_type(container)};
-  return {};
-}
-
 } // namespace parlour::script

@@ -31,6 +31,15 @@ std::optional<std::int64_t> position_of(const Box& key) {
   return static_cast<std::int64_t>(value);
 }
 
+// Of what is printed to be a key. A text that is one may be as long as any.
+constexpr std::size_t longest_printed_key = 1 << 20;
+
+Failure too_long_as_key(const Box& value) {
+  return {ErrorKind::limit,
+          a_type(value) + " is too long or too deep to be a key, which is its "
+                          "printed form"};
+}
+
 // The message shows what was given instead of an integer.
 Failure position_failure(const Box& container, const Box& key) {
   return type_failure(
@@ -184,7 +193,8 @@ Box key_text(Heap& heap, const Box& key) {
   if (key.is_string())
     return key;
   std::string text;
-  print(text, key, 1 << 20);
+  if (!print(text, key, longest_printed_key))
+    return Box::missing();
   return make_string(heap, text);
 }
 
@@ -265,7 +275,10 @@ Outcome get_index(Heap& heap, const Box& container, const Box& key,
     return {};
   }
   if (container.is_map()) {
-    const auto* value = container.map()->find(*key_text(heap, key).string());
+    const auto text = key_text(heap, key);
+    if (text.is_missing())
+      return too_long_as_key(key);
+    const auto* value = container.map()->find(*text.string());
     result = value ? *value : Box();
     return {};
   }
@@ -318,18 +331,24 @@ Outcome refuse_ring(const Box& container, const Box& value,
 // Setting in something unknown is an error of kind Range (language rule 2.9).
 Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value,
                   WalkBudget& budget) {
-  if (container.is_unknown())
-    return Failure{ErrorKind::range,
-                   "there is no list or map to set '" +
-                       std::string(key_text(heap, key).text()) +
-                       "' in: it is unknown"};
+  if (container.is_unknown()) {
+    const auto text = key_text(heap, key);
+    return text.is_missing()
+               ? too_long_as_key(key)
+               : Failure{ErrorKind::range, "there is no list or map to set '" +
+                                               std::string(text.text()) +
+                                               "' in: it is unknown"};
+  }
   if (!container.is_list() && !container.is_map())
     return type_failure("nothing can be set inside of " + a_type(container));
   if (auto ring = refuse_ring(container, value, budget))
     return ring;
   if (container.is_list())
     return set_element(container, key, std::move(value));
-  container.map()->set(key_text(heap, key), std::move(value));
+  auto text = key_text(heap, key);
+  if (text.is_missing())
+    return too_long_as_key(key);
+  container.map()->set(std::move(text), std::move(value));
   return {};
 }
 
@@ -339,6 +358,36 @@ Outcome append(const Box& list, Box value, WalkBudget& budget) {
   if (auto ring = refuse_ring(list, value, budget))
     return ring;
   list.list()->elements.push_back(std::move(value));
+  return {};
+}
+
+Outcome is_in(const Box& element, const Box& container, bool& result,
+              WalkBudget& budget) {
+  result = false;
+  if (container.is_unknown())
+    return {};
+  // In maps `in` looks for a key and in strings for a part, both of the printed
+  // form of the element (language rule 3.11).
+  if (container.is_list()) {
+    for (const auto& candidate : container.list()->elements)
+      if ((result = equal(candidate, element, budget)) || budget.exhausted())
+        break;
+    return {};
+  }
+  std::string text;
+  const bool is_whole = print(text, element, longest_printed_key);
+  if (!budget.bytes(text.size() + digits_of(container)))
+    return {};
+  if (!is_whole)
+    return too_long_as_key(element);
+  if (container.is_map())
+    result = container.map()->find(text) != nullptr;
+  else if (container.is_string())
+    result = find_text(container.text(), text) != std::string_view::npos;
+  else
+    return Failure{ErrorKind::type, "'in' needs a list, a map or a string on "
+                                    "its right, not " +
+                                        a_type(container)};
   return {};
 }
 

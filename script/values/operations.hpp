@@ -89,7 +89,7 @@ Outcome append(const Box& list, Box value, WalkBudget& budget);
 Outcome refuse_ring(const Box& container, const Box& value, WalkBudget& budget);
 Outcome is_in(const Box& element, const Box& container, bool& result,
               WalkBudget& budget);
-// Other values are keys of a map by their printed form (language rule 2.10).
+// As it is printed, a key of a map (language rule 2.10). Missing: too long.
 Box key_text(Heap& heap, const Box& key);
 
 // The rows of a result set as a list of maps.

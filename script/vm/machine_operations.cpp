@@ -79,11 +79,14 @@ bool Machine::contained(const Box& element, const Box& container, Box& result) {
 }
 
 // Reads or sets an element by a key that is paid for: a text is looked up or
-// read as a number, and for a map any other value is printed.
+// read as a number, and for a map any other value is printed. One that is too
+// long for that stays as it is, and is refused where it is used.
 bool Machine::key_for(const Box& container, const Box& key, Box& result) {
   result = container.is_map() || container.is_unknown()
                ? key_text(*heap_, key.resolved())
                : key.resolved();
+  if (result.is_missing()) [[unlikely]]
+    result = key.resolved();
   return charge_bytes(digits_of(result));
 }
 

@@ -51,6 +51,34 @@ TEST(Operations, WhatCannotBeSearchedForARingIsRefused) {
   EXPECT_TRUE(list.list()->elements.empty());
 }
 
+// What is printed to be a key is not cut: it would be another's key.
+TEST(Operations, WhatIsTooLongToBeAKeyIsRefused) {
+  Heap heap(nullptr, 64 << 20);
+  auto list = make_list(heap);
+  list.list()->elements.push_back(
+      make_string(heap, std::string((1 << 20) - 10, 'a')));
+  const auto map = make_map(heap);
+  const auto text = make_string(heap, "a");
+  WalkBudget budget(1 << 30);
+  Box found;
+  bool is_there = true;
+  EXPECT_FALSE(set_index(heap, map, list, Box::small(1), budget));
+  EXPECT_FALSE(get_index(heap, map, list, found));
+  EXPECT_EQ(found.as_small(), 1);
+  EXPECT_FALSE(is_in(list, map, is_there, budget));
+  EXPECT_TRUE(is_there);
+  list.list()->elements.push_back(make_string(heap, "twenty letters or so"));
+  EXPECT_TRUE(key_text(heap, list).is_missing());
+  EXPECT_EQ(set_index(heap, map, list, Box::small(2), budget)->kind,
+            ErrorKind::limit);
+  EXPECT_EQ(set_index(heap, Box(), list, Box::small(2), budget)->kind,
+            ErrorKind::limit);
+  EXPECT_EQ(get_index(heap, map, list, found)->kind, ErrorKind::limit);
+  EXPECT_EQ(is_in(list, map, is_there, budget)->kind, ErrorKind::limit);
+  EXPECT_EQ(is_in(list, text, is_there, budget)->kind, ErrorKind::limit);
+  EXPECT_EQ(map.map()->entries.size(), 1u);
+}
+
 // Two lists of one long text each, a thousand times: not a thousand bytes.
 TEST(Operations, ComparingAndOrderingTakeTheBytesThatTheyRead) {
   Heap heap(nullptr, 1 << 20);

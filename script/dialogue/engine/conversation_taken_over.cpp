@@ -16,10 +16,12 @@ namespace {
 enum class Missing : bool { keeps_it_out, is_left_out };
 
 // Writes the part as the other program names things, and reads it back there.
-// False: it names something that is missing there, and nothing was taken.
+// False: it names something that is missing there, and nothing was taken; or it
+// could not be read.
 template <class Part>
-bool take_part(Part& part, const Part& before, const Renames& renames,
-               Missing missing = Missing::keeps_it_out) {
+[[nodiscard]] bool take_part(Part& part, const Part& before,
+                             const Renames& renames,
+                             Missing missing = Missing::keeps_it_out) {
   RenamingWriter writer(renames);
   writer.write(before);
   if (writer.misses() && missing == Missing::keeps_it_out)
@@ -164,14 +166,20 @@ ConversationImplementation::take_over(const ConversationImplementation& before,
   take_states(before, renames, lost);
   take_timers(before, renames, lost);
   take_question(before, renames, lost);
-  take_part(context.turns, before.context.turns, renames);
-  take_part(reactions, before.reactions, renames);
-  take_part(sockets, before.sockets, renames);
-  take_part(outside, before.outside, renames);
-  take_part(view, before.view, renames); // where chance stands
-  take_part(running, before.running, renames, Missing::is_left_out);
-  take_part(heard_grammar, before.heard_grammar, renames);
-  take_part(output, before.output, renames, Missing::is_left_out);
+  const auto take = [&](auto& part, const auto& part_before, const char* what,
+                        Missing missing = Missing::keeps_it_out) {
+    if (!take_part(part, part_before, renames, missing))
+      lost.emplace_back(what);
+  };
+  take(context.turns, before.context.turns, "what was said");
+  take(reactions, before.reactions, "which handlers take no part");
+  take(sockets, before.sockets, "the sockets");
+  take(outside, before.outside, "the subscriptions");
+  take(view, before.view, "where chance stands");
+  take(running, before.running, "what scripts have done", Missing::is_left_out);
+  take(heard_grammar, before.heard_grammar,
+       "the grammar that the recogniser was told");
+  take(output, before.output, "the outputs", Missing::is_left_out);
   frames.conceal();
   messenger.raise("System", "Reloaded",
                   {Value(List(lost.begin(), lost.end()))});

@@ -23,7 +23,7 @@ Milliseconds care(Milliseconds keep_alive) {
 
 MQTTLink::MQTTLink(Loop& loop, ServerOptions options, LinkCalls calls)
     : loop_(loop), options_(std::move(options)), calls_(std::move(calls)),
-      pause_(options_.pause),
+      backoff_(options_.pause, longest_pause),
       watch_(loop, [this](short events) { ready(events); }),
       alarm_(loop, [this] { rung(); }), resolver_(std::in_place) {}
 
@@ -140,10 +140,9 @@ void MQTTLink::lose(const std::string& reason) {
   client_.reset();
   tickets_.clear();
   if (phase_ == Phase::up && Steady::now() - up_since_ >= holds)
-    pause_ = options_.pause;
+    backoff_.reset();
   phase_ = Phase::pausing;
-  alarm_.set(Steady::now() + pause_);
-  pause_ = std::min(pause_ * 2, longest_pause);
+  alarm_.set(Steady::now() + backoff_.after_failure());
   calls_.down(reason);
 }
 

@@ -18,6 +18,7 @@
 #include <unordered_map>
 
 #include "adapters/loop/alarm.hpp"
+#include "adapters/loop/backoff.hpp"
 #include "adapters/loop/watch.hpp"
 #include "adapters/mqtt/deeds.hpp"
 #include "adapters/mqtt/mqtt_client.hpp"
@@ -86,7 +87,7 @@ private:
   Phase phase_ = Phase::pausing;
   // Counts the attempts: what was posted for an earlier one is ignored.
   unsigned attempt_ = 0;
-  Milliseconds pause_;
+  Backoff backoff_;
   Moment up_since_{};
   Moment deadline_ = Moment::max();
   Moment tend_at_ = Moment::max();          // of a link that is up

@@ -1,6 +1,5 @@
 #include "adapters/wyoming/server_watch.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace parlour::adapters::wyoming {
@@ -29,7 +28,8 @@ bool offers(const nlohmann::json& info, const std::string& service) {
 ServerWatch::ServerWatch(const Route& route, WatchOptions options,
                          WatchCalls calls)
     : route_(route), options_(std::move(options)), calls_(std::move(calls)),
-      alarm_(route.loop, [this] { rung(); }), pause_(options_.first_pause) {}
+      alarm_(route.loop, [this] { rung(); }),
+      backoff_(options_.first_pause, longest_pause) {}
 
 void ServerWatch::start() {
   connection_ = std::make_unique<Connection>(
@@ -56,7 +56,7 @@ void ServerWatch::received(const Event& event) {
   if (!offers(event.data, options_.service))
     return lose("it does not offer the service '" + options_.service + "'");
   is_asked_ = false;
-  pause_ = options_.first_pause;
+  backoff_.reset();
   alarm_.set(Steady::now() + options_.ask_every);
   if (!std::exchange(is_up_, true))
     calls_.up();
@@ -66,8 +66,7 @@ void ServerWatch::received(const Event& event) {
 void ServerWatch::lose(const std::string& reason) {
   connection_.reset();
   is_asked_ = false;
-  alarm_.set(Steady::now() + pause_);
-  pause_ = std::min(pause_ * 2, longest_pause);
+  alarm_.set(Steady::now() + backoff_.after_failure());
   is_up_ = false;
   calls_.down(reason);
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "adapters/loop/backoff.hpp"
 #include "adapters/wyoming/connection.hpp"
 
 namespace parlour::adapters::wyoming {
@@ -51,7 +52,7 @@ private:
   std::unique_ptr<Connection> connection_;
   // For the next question, for the end of this one, or to connect again.
   Alarm alarm_;
-  Milliseconds pause_;
+  Backoff backoff_;
   bool is_up_ = false;
   bool is_asked_ = false;
 };

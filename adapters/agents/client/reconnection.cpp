@@ -1,6 +1,6 @@
 #include "adapters/agents/client/reconnection.hpp"
 
-#include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,10 +9,8 @@ namespace parlour::adapters::agents {
 
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr std::chrono::milliseconds first_pause = 200ms;
-constexpr std::chrono::milliseconds longest_pause = 5s;
+constexpr Milliseconds first_pause{200};
+constexpr Milliseconds longest_pause{5'000};
 
 } // namespace
 
@@ -20,7 +18,7 @@ Reconnection::Reconnection(Loop& loop, std::unique_ptr<PlatformDialler> dialler,
                            std::string address, Retry retry, Note note)
     : dialler_(std::move(dialler)), address_(std::move(address)),
       note_(std::move(note)), alarm_(std::in_place, loop, std::move(retry)),
-      pause_(first_pause) {}
+      backoff_(first_pause, longest_pause) {}
 
 void Reconnection::dial(PeerConnection::Owner& owner,
                         PlatformDialler::Done done) {
@@ -40,12 +38,11 @@ void Reconnection::try_later(const std::string& reason) {
     return;
   if (!std::exchange(loss_is_noted_, true))
     note_(fmt::format("not connected to {}: {}", address_, reason));
-  alarm_->set(std::chrono::steady_clock::now() + pause_);
-  pause_ = std::min(2 * pause_, longest_pause);
+  alarm_->set(std::chrono::steady_clock::now() + backoff_.after_failure());
 }
 
 void Reconnection::succeeded() {
-  pause_ = first_pause;
+  backoff_.reset();
   loss_is_noted_ = false;
 }
 

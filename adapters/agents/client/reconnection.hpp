@@ -2,7 +2,6 @@
 // an agent that wants to be connected.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "adapters/agents/client/platform_dialler.hpp"
 #include "adapters/loop/alarm.hpp"
+#include "adapters/loop/backoff.hpp"
 
 namespace parlour::adapters::agents {
 
@@ -41,7 +41,7 @@ private:
   const Note note_;
   std::optional<Alarm> alarm_; // nothing once it has stopped
   ConnectionId last_id_ = 0;
-  std::chrono::milliseconds pause_;
+  Backoff backoff_;
   bool is_dialling_ = false;
   bool loss_is_noted_ = false;
 };

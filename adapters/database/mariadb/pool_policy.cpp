@@ -10,14 +10,6 @@ namespace {
 
 using Kind = DatabaseCommand;
 
-constexpr Milliseconds first_pause{50};
-constexpr Milliseconds longest_pause{5'000};
-
-// Exponential back-off: 50 ms, 100 ms, 200 ms … 5 s.
-Milliseconds pause_after(unsigned failures) {
-  return std::min(longest_pause, first_pause * (1 << std::min(failures, 10u)));
-}
-
 // The error for an order whose outcome is unknown.
 Error in_doubt(const DatabaseOrder& order, const std::string& reason) {
   const auto what = order.kind == Kind::commit
@@ -63,12 +55,12 @@ void PoolPolicy::opened(Place place, const StatementOutcome& outcome,
                         Moment now) {
   if (!outcome) {
     trouble_ = outcome.error();
-    next_attempt_ = now + pause_after(failures_++);
+    next_attempt_ = now + backoff_.after_failure();
     return close(place);
   }
   connections_[place].phase = Phase::idle;
   set_up_ = true;
-  failures_ = 0;
+  backoff_.reset();
   trouble_.reset();
 }
 

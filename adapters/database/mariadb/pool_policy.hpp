@@ -49,6 +49,7 @@
 #include "adapters/database/database_command.hpp"
 #include "adapters/database/lost_transactions.hpp"
 #include "adapters/database/statement.hpp"
+#include "adapters/loop/backoff.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/message/message.hpp"
 
@@ -201,8 +202,8 @@ private:
   std::vector<Answer> answers_;
   LostTransactions lost_;
   bool set_up_ = false;
-  // Attempts to connect that have failed in succession.
-  unsigned failures_ = 0;
+  // Of attempts to connect that fail in succession.
+  Backoff backoff_{Milliseconds(50), Milliseconds(5'000)};
   // The earliest time of the next attempt; the default has long passed.
   Moment next_attempt_{};
   // When to try, because an order needs a connection; max if none does.

@@ -17,6 +17,7 @@
 #include "adapters/mqtt/device_list.hpp"
 #include "adapters/mqtt/device_requests.hpp"
 #include "adapters/mqtt/device_table.hpp"
+#include "runtime/base/limited_log.hpp"
 #include "runtime/base/rate_limit.hpp"
 
 namespace parlour::adapters::mqtt {
@@ -93,7 +94,7 @@ private:
   Deeds deeds_;
   DeviceTable table_;
   DeviceRequests requests_;
-  Complaints complaints_;
+  LimitedLog<Complaint> complaints_{one_complaint_in};
 
   Link link_ = Link::starting;
   std::string reason_; // why it is down

@@ -1,5 +1,6 @@
 #include "adapters/agents/server/mistake_log.hpp"
 
+#include <chrono>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,29 +20,19 @@ void MistakeLog::note_not_accepted(const std::string& reason, Timestamp now) {
   note("accept", "an agent's connection is not accepted: " + reason, now);
 }
 
-void MistakeLog::note(const std::string& name, std::string line,
+void MistakeLog::note(const std::string& kind, const std::string& text,
                       Timestamp now) {
-  {
-    std::lock_guard lock(mutex_);
-    auto& kind = kinds_[name];
-    ++kind.count;
-    if (kind.written > 0 && now - kind.at < one_line_in.count())
-      return;
-    if (const auto more = kind.count - kind.written - 1; more > 0)
-      line += fmt::format(" (and {} more)", more);
-    kind.written = kind.count;
-    kind.at = now;
-  }
-  if (write_)
-    write_(line);
+  std::unique_lock lock(mutex_);
+  const auto line = log_.note(
+      kind, text, std::chrono::steady_clock::time_point(Milliseconds(now)));
+  lock.unlock();
+  if (line && write_)
+    write_(*line);
 }
 
 std::map<std::string, std::uint64_t> MistakeLog::counts() const {
   std::lock_guard lock(mutex_);
-  std::map<std::string, std::uint64_t> counts;
-  for (const auto& [name, kind] : kinds_)
-    counts[name] = kind.count;
-  return counts;
+  return log_.counts();
 }
 
 } // namespace parlour::adapters::agents

@@ -12,6 +12,7 @@
 
 #include "adapters/agents/wire/wire_error.hpp"
 #include "runtime/base/clock.hpp"
+#include "runtime/base/limited_log.hpp"
 
 namespace parlour::adapters::agents {
 
@@ -31,18 +32,11 @@ public:
   std::map<std::string, std::uint64_t> counts() const;
 
 private:
-  struct Kind {
-    std::uint64_t count = 0;
-    // How many there were at the last line, and when that was.
-    std::uint64_t written = 0;
-    Timestamp at = 0;
-  };
-
-  void note(const std::string& kind, std::string line, Timestamp now);
+  void note(const std::string& kind, const std::string& text, Timestamp now);
 
   Write write_;
   mutable std::mutex mutex_;
-  std::map<std::string, Kind> kinds_;
+  LimitedLog<std::string> log_{one_line_in};
 };
 
 } // namespace parlour::adapters::agents

@@ -1,5 +1,6 @@
 #include "script/dialogue/context/privacy.hpp"
 
+#include <unordered_set>
 #include <utility>
 
 #include "script/spoken/spoken.hpp"
@@ -22,22 +23,27 @@ std::optional<Decimal> decimal(const Value& value) {
 // A text as it was heard that is too short tells nothing, and would hide much.
 constexpr std::size_t min_heard = 4;
 
-// Every value in it, as it is printed and as it is spoken: of 4711 also "four
-// seven one one", as a phrase or a voice may say it in that way.
-void collect(const Value& value, const std::string& kind, Timestamp now,
-             std::vector<std::string>& texts) {
+// Calls `with` for each text and number in the value.
+template <class With>
+void for_each_part(const Value& value, const With& with) {
   if (const auto* list = value.if_list())
     for (const auto& element : *list)
-      collect(element, kind, now, texts);
+      for_each_part(element, with);
   if (const auto* map = value.if_map())
     for (const auto& entry : map->entries())
-      collect(entry.second, kind, now, texts);
+      for_each_part(entry.second, with);
   if (const auto* result = value.if_result())
     for (const auto& cell : result->cells)
-      collect(cell, kind, now, texts);
-  if (!value.if_string() && !value.if_integer() && !value.if_number())
-    return;
-  const script::ToSay what{to_string(value), decimal(value), now};
+      for_each_part(cell, with);
+  if (value.if_string() || value.if_integer() || value.if_number())
+    with(value);
+}
+
+// It as it is printed and as it is spoken: of 4711 also "four seven one one",
+// as a phrase or a voice may say it in that way.
+void collect(const Value& part, const std::string& kind, Timestamp now,
+             std::vector<std::string>& texts) {
+  const script::ToSay what{to_string(part), decimal(part), now};
   texts.push_back(what.text);
   for (const auto& way : {kind, std::string("number"), std::string("digits")})
     texts.push_back(script::spoken(what, way));
@@ -56,14 +62,19 @@ Privacy::Privacy(const script::Program& program,
   known_.resize(variables_.size());
 }
 
-// The values are compared, as scripts change lists and maps in place.
+// The values are compared, as scripts change lists and maps in place. They are
+// copied for that, so where nothing has changed nothing is compared. After a
+// restore they are compared once more, which changes nothing.
 void Privacy::note_variables(Timestamp now) {
+  if (variables_.empty() || writes_ == interpreter_.writes())
+    return;
+  writes_ = interpreter_.writes();
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     auto value = interpreter_.variable(variables_[i]);
     if (value == known_[i])
       continue;
+    conceal(value, "", now, known_[i]);
     known_[i] = std::move(value);
-    conceal(known_[i], "", now);
   }
 }
 
@@ -103,10 +114,18 @@ void Privacy::settle(std::uint64_t received) {
     port_.settled(received);
 }
 
+// Of a list that grows, only what is new is told: the port forgets the oldest
+// of what it was told.
 void Privacy::conceal(const Value& value, const std::string& kind,
-                      Timestamp now) {
+                      Timestamp now, const Value& told) {
+  std::unordered_set<std::string> known;
+  for_each_part(told,
+                [&](const Value& part) { known.insert(to_string(part)); });
   std::vector<std::string> texts;
-  collect(value, kind, now, texts);
+  for_each_part(value, [&](const Value& part) {
+    if (!known.contains(to_string(part)))
+      collect(part, kind, now, texts);
+  });
   if (!texts.empty())
     port_.conceal(texts);
 }

@@ -5,6 +5,8 @@
 // costs next to nothing.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,14 +46,17 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(program_, interpreter_, port_, is_needed_, variables_);
+    archive.without(program_, interpreter_, port_, is_needed_, variables_,
+                    writes_);
     archive(known_);
     archive.check(known_.size() == variables_.size(),
                   "other variables are private");
   }
 
 private:
-  void conceal(const Value& value, const std::string& kind, Timestamp now);
+  // But not what is in `told`.
+  void conceal(const Value& value, const std::string& kind, Timestamp now,
+               const Value& told = {});
 
   const script::Program& program_;
   const script::Interpreter& interpreter_;
@@ -60,6 +65,8 @@ private:
   std::vector<std::size_t> variables_; // the private ones
   // Their values when they were told last, in the same order.
   std::vector<Value> known_;
+  // Interpreter::writes() then; none: not known.
+  std::optional<std::uint64_t> writes_;
 };
 
 } // namespace parlour::dialogue

@@ -11,48 +11,84 @@ namespace parlour::dialogue {
 
 namespace {
 
-std::shared_ptr<const List>
-variables_of(const script::Interpreter& interpreter) {
-  List values;
-  for (std::size_t i = 0; i < interpreter.program().variables.size(); ++i)
-    values.push_back(interpreter.variable(i));
+using script::Operation;
+
+// The code that a filling event may run, each once.
+class Reachable {
+public:
+  explicit Reachable(const script::Program& program)
+      : is_there_(program.code.size()) {}
+
+  void add(CodeId code) {
+    if (code == script::no_code || is_there_[code])
+      return;
+    is_there_[code] = true;
+    codes_.push_back(code);
+  }
+  // False: there is no more.
+  bool take(CodeId& code) {
+    if (codes_.empty())
+      return false;
+    code = codes_.back();
+    codes_.pop_back();
+    return true;
+  }
+
+private:
+  std::vector<bool> is_there_;
+  std::vector<CodeId> codes_; // not taken yet
+};
+
+Reachable code_of(const script::Program& program, const script::Topic& topic) {
+  Reachable reachable(program);
+  for (const auto& constraint : topic.constraints) {
+    reachable.add(constraint.condition);
+    reachable.add(constraint.message);
+  }
+  for (const auto& slot : topic.slots) {
+    reachable.add(slot.initial);
+    reachable.add(slot.condition);
+    reachable.add(slot.cardinality.minimum);
+    reachable.add(slot.cardinality.maximum);
+    for (auto value : slot.cardinality.values)
+      reachable.add(value);
+  }
+  return reachable;
+}
+
+// For each session variable, whether a filling event of the topic may read it:
+// its conditions and texts name it, or the functions that these call. All,
+// where a function is called by a name that is computed.
+std::vector<bool> variables_read(const script::Program& program,
+                                 const script::Topic& topic) {
+  std::vector<bool> read(program.variables.size());
+  auto reachable = code_of(program, topic);
+  for (auto code = script::no_code; reachable.take(code);)
+    for (const auto& instruction : program.code[code].instructions) {
+      const auto operation = static_cast<Operation>(instruction.operation);
+      if (operation == Operation::load_variable ||
+          operation == Operation::bind_variable)
+        read[instruction.b] = true;
+      else if (operation == Operation::call)
+        reachable.add(instruction.wide());
+      else if (operation == Operation::call_named)
+        return std::vector<bool>(read.size(), true);
+    }
+  return read;
+}
+
+// Those that the topic's conditions and texts may read, in their places; null:
+// none.
+std::shared_ptr<const List> variables_for(const script::Topic& topic,
+                                          const script::Interpreter& from) {
+  const auto read = variables_read(from.program(), topic);
+  if (std::ranges::find(read, true) == read.end())
+    return nullptr;
+  List values(read.size());
+  for (std::size_t i = 0; i < read.size(); ++i)
+    if (read[i])
+      values[i] = from.variable(i);
   return std::make_shared<const List>(std::move(values));
-}
-
-bool is_constant(const script::Instruction& instruction) {
-  using enum script::Operation;
-  const auto operation = static_cast<script::Operation>(instruction.operation);
-  return operation == load_constant || operation == give_back ||
-         operation == give_unknown;
-}
-
-// What is more than a constant may read variables, if only by a function.
-bool is_computed(const script::Program& program, CodeId code) {
-  if (code == script::no_code)
-    return false;
-  const auto& instructions = program.code[code].instructions;
-  return !std::all_of(instructions.begin(), instructions.end(), is_constant);
-}
-
-bool is_computed(const script::Program& program, const script::Slot& slot) {
-  const auto& takes = slot.cardinality;
-  return is_computed(program, slot.initial) ||
-         is_computed(program, slot.condition) ||
-         is_computed(program, takes.minimum) ||
-         is_computed(program, takes.maximum) ||
-         std::any_of(takes.values.begin(), takes.values.end(),
-                     [&](CodeId code) { return is_computed(program, code); });
-}
-
-// Whether the frame's actor may have to read variables: for a constraint, an
-// initial value, or what a slot takes.
-bool reads_variables(const script::Program& program,
-                     const script::Topic& topic) {
-  return !topic.constraints.empty() ||
-         std::any_of(topic.slots.begin(), topic.slots.end(),
-                     [&](const script::Slot& slot) {
-                       return is_computed(program, slot);
-                     });
 }
 
 } // namespace
@@ -91,8 +127,7 @@ FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
   request.frame = mine.frame;
   request.now = now;
   request.changes = std::move(changes);
-  if (reads_variables(*program_, program_->topics[topic]))
-    request.variables = variables_of(*interpreter_);
+  request.variables = variables_for(program_->topics[topic], *interpreter_);
   for (auto other : program_->read_elsewhere)
     if (other != topic) {
       auto& read = entry(other, now);

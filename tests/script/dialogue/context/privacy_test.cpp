@@ -1,4 +1,6 @@
 // Which private values the conversation reports to its port, and when.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "script/dialogue/context/privacy.hpp"
@@ -70,6 +72,41 @@ TEST(Privacy, TellsVariablesWhenTheyChange) {
   world.event("Bell", "Rings");
   EXPECT_THAT(world.secrets, Contains("abc2"));
   EXPECT_THAT(world.secrets, Contains("abc3"));
+}
+
+// Each of these changes a variable in another way: Interpreter::writes() counts
+// all of them.
+TEST(Privacy, TellsWhatChangesInPlace) {
+  PrivateWorld world(
+      R"(<var name="all" expr="[['a0'], {k: 'b0'}]" private="true"/>
+      <var name="one" expr="'c0'" private="true"/>
+      <handler name="H"><messages><component><Bell><Rings>
+        <set name="all[0][0]" expr="'a1'"/><log param="."/>
+        <set name="all[1].k" expr="'b1'"/><log param="."/>
+        <append name="all[0]" expr="'a2'"/><log param="."/>
+        <call function="insert"><var expr="all"/><var expr="0"/>
+          <var expr="'d1'"/></call><log param="."/>
+        <call function="change"><var expr="one"/></call><log param="."/>
+      </Rings></Bell></component></messages></handler>
+      <function name="change"><param name="it"/>
+        <set name="it" expr="'c1'"/></function>)");
+  world.event("Bell", "Rings");
+  for (const auto* text : {"a0", "b0", "c0", "a1", "b1", "a2", "d1", "c1"})
+    EXPECT_THAT(world.secrets, Contains(text));
+}
+
+// Each change of a long list would otherwise push all that is private out of
+// what the port remembers, itself included.
+TEST(Privacy, TellsOfAListWhatIsNew) {
+  PrivateWorld world(R"(<var name="heard" expr="[]" private="true"/>
+      <handler name="H"><messages><component><Bell><Rings>
+        <append name="heard" expr="'first'"/><log param="."/>
+        <append name="heard" expr="'second'"/><log param="."/>
+      </Rings></Bell></component></messages></handler>)");
+  world.event("Bell", "Rings");
+  EXPECT_THAT(world.secrets, Contains("second"));
+  EXPECT_EQ(std::ranges::count(world.secrets, "first"),
+            std::ranges::count(world.secrets, "second"));
 }
 
 TEST(Privacy, HidesTurnsWhileAPrivateSlotIsAskedFor) {

@@ -109,5 +109,64 @@ TEST_F(FramesOfASession, WhatWasGivenAwayStaysAsItWas) {
   EXPECT_EQ(asked->slots[1].value, "b");
 }
 
+// The names of the variables that travel with the first topic. A long list,
+// say, that it does not read is not copied.
+std::string read_by(const std::string& topic) {
+  World world("<topic name='T'><slot name='A'/>" + topic + R"xml(</topic>
+      <var name="one" expr="1"/><var name="two" expr="2"/>
+      <var name="three" expr="3"/>
+      <function name="all_two"><return expr="two + helper(two)"/></function>
+      <function name="helper"><param name="x"/>
+        <return expr="x gt 5 ? all_two() : x"/></function>
+      <function name="changed"><call function="helper"><var expr="three"/></call>
+        <return expr="1"/></function>
+      <function name="named"><param name="f"/>
+        <call function="{f}" return="r"/><return expr="r"/></function>)xml");
+  script::Interpreter interpreter(world.program);
+  Frames frames(*world.program, interpreter);
+  const auto& variables = world.program->variables;
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    interpreter.set_variable(i, variables[i].name);
+  const auto request = frames.request(0, {}, 0);
+  std::string names;
+  for (const auto& name : request.variables ? *request.variables : List())
+    names += name.is_unknown() ? "" : name.text() + " ";
+  return names;
+}
+
+TEST(VariablesForAnEvent, NoneByWhatIsConstant) {
+  EXPECT_EQ(read_by(R"(<slot name="B" expr="5"/>
+      <constraint cond="this.A ne this.B" message="no"/>)"),
+            "");
+}
+
+TEST(VariablesForAnEvent, WhateverAnEventEvaluates) {
+  EXPECT_EQ(read_by("<constraint cond='this.A gt one' message='no'/>"), "one ");
+  EXPECT_EQ(read_by("<constraint cond='this.A gt 1' message='not {two}'/>"),
+            "two ");
+  EXPECT_EQ(read_by("<slot name='B' expr='two'/>"), "two ");
+  EXPECT_EQ(read_by("<slot name='B' if='two gt 1'/>"), "two ");
+  EXPECT_EQ(read_by("<slot name='B'><cardinality type='range' from='one' "
+                    "to='three'/></slot>"),
+            "one three ");
+  EXPECT_EQ(read_by("<slot name='B'><cardinality type='set'>"
+                    "<value expr='[three]'/></cardinality></slot>"),
+            "three ");
+}
+
+TEST(VariablesForAnEvent, NotForQuestions) {
+  EXPECT_EQ(read_by("<slot name='B' question='{one}?'/>"), "");
+}
+
+// Of two functions that call each other, each is looked at once.
+TEST(VariablesForAnEvent, ByFunctions) {
+  EXPECT_EQ(read_by("<slot name='B' expr='all_two()'/>"), "two ");
+  EXPECT_EQ(read_by("<slot name='B' expr='changed()'/>"), "two three ");
+}
+
+TEST(VariablesForAnEvent, AllWhereANameIsComputed) {
+  EXPECT_EQ(read_by("<slot name='B' expr='named(1)'/>"), "one two three ");
+}
+
 } // namespace
 } // namespace parlour::dialogue

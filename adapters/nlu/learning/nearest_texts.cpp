@@ -148,24 +148,40 @@ std::vector<NearText> NearestTexts::find(const Words& words,
   return best;
 }
 
+namespace {
+
+// The largest of the values that were added, of few of them.
+class Nearest {
+public:
+  void add(float value) {
+    const auto least = std::ranges::min_element(values_);
+    *least = std::max(*least, value);
+    ++count_;
+  }
+  float average() const {
+    return std::accumulate(values_.begin(), values_.end(), 0.0F) /
+           static_cast<float>(std::clamp(count_, std::size_t{1}, few));
+  }
+
+private:
+  std::array<float, few> values_{};
+  std::size_t count_ = 0;
+};
+
+} // namespace
+
 Nearness NearestTexts::nearness(const Words& words,
                                 const std::vector<Words>& others) const {
   const auto [products, length] = this->products(words, others);
+  if (length == 0)
+    return {};
   const auto said = values(words);
-  std::array<float, few> labelled{};
-  std::array<float, few> other{};
+  Nearest labelled;
+  Nearest other;
   for (std::uint32_t text = 0; text < labels_.size(); ++text)
-    if (std::ranges::includes(said, values_[text])) {
-      auto& nearest = labels_[text] == no_label ? other : labelled;
-      const auto least = std::ranges::min_element(nearest);
-      *least = std::max(*least, products[text]);
-    }
-  const auto average = [&, length = length](const std::array<float, few>& all) {
-    return length == 0
-               ? 0
-               : std::accumulate(all.begin(), all.end(), 0.0F) / (length * few);
-  };
-  return {average(labelled), average(other)};
+    if (std::ranges::includes(said, values_[text]))
+      (labels_[text] == no_label ? other : labelled).add(products[text]);
+  return {labelled.average() / length, other.average() / length};
 }
 
 } // namespace parlour::adapters::nlu

@@ -13,6 +13,8 @@ namespace {
 
 // From this score on, an utterance is the application's whatever it is like.
 constexpr double well_said = 0.8;
+// Rules with fewer meanings do not tell which words are theirs.
+constexpr std::size_t enough_meanings = 20;
 // How much nearer other talk must be.
 constexpr float much_nearer = 0.05F;
 
@@ -81,8 +83,7 @@ struct Likeness::Said {
 
 Likeness::Likeness(const Automaton& automaton, const Schema& schema,
                    const std::vector<std::string>& other_talk)
-    : words_(automaton.vocabulary.size() + 1),
-      has_other_talk_(!other_talk.empty()) {
+    : words_(automaton.vocabulary.size() + 1) {
   for (const auto& [word, number] : automaton.vocabulary)
     words_[number] = word;
   for (const auto& sentence : sample_sentences(automaton, schema, sentences)) {
@@ -94,6 +95,8 @@ Likeness::Likeness(const Automaton& automaton, const Schema& schema,
     sentences_.push_back(shown(sentence.words));
     values_.push_back(sentence.values);
   }
+  knows_other_talk_ =
+      !other_talk.empty() && meanings_.size() >= enough_meanings;
   for (const auto& sentence : other_talk)
     texts_.add_other(plain_words(make_utterance(sentence, automaton)));
   texts_.finish();
@@ -140,7 +143,7 @@ bool Likeness::leave_out_other_talk(std::vector<BuiltAct>& acts,
     return act.topic != no_topic && act.score < well_said &&
            !context.expects(act.topic);
   };
-  if (!has_other_talk_ || acts.empty() || context.asked_topic != no_topic ||
+  if (!knows_other_talk_ || acts.empty() || context.asked_topic != no_topic ||
       context.waiting_topic != no_topic || refers_back(utterance) ||
       !std::ranges::all_of(acts, is_doubtful))
     return false;

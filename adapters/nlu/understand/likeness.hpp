@@ -60,7 +60,7 @@ private:
   std::vector<std::string> sentences_; // by text
   std::vector<std::vector<std::pair<std::string, EntityId>>> values_;
   std::vector<std::string> words_; // by number of the automaton
-  bool has_other_talk_ = false;
+  bool knows_other_talk_ = false;
   NearestTexts texts_;
 };
 

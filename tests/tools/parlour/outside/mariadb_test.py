@@ -61,7 +61,7 @@ class OnMariaDB(unittest.TestCase):
                            MYSQL_UNIX_PORT=str(socket or self.socket))
         return subprocess.run([PROGRAM, *arguments], input=given,
                               encoding="utf-8",
-                              env=environment, capture_output=True, timeout=120)
+                              env=environment, capture_output=True, timeout=400)
 
     def run_text(self, application, given):
         return self.run_program("run", str(application), "--text",

@@ -11,6 +11,7 @@
 #include "script/compiler/application/application_loader.hpp"
 #include "script/compiler/application/settings_reader.hpp"
 #include "script/compiler/declaration_compiler.hpp"
+#include "script/compiler/variable_use.hpp"
 #include "script/xml/allowances.hpp"
 
 namespace parlour::script {
@@ -133,6 +134,8 @@ Compiled Compiler::finish() {
   // Trees and findings are returned in any case: editors need them.
   if (findings_.has_errors())
     program_ = nullptr;
+  else
+    note_read_variables(*program_);
   return {std::move(program_), std::move(findings_), std::move(documents),
           std::move(settings_)};
 }

@@ -1,8 +1,6 @@
 #include "script/program/effect_search.hpp"
 
-#include <deque>
-#include <set>
-
+#include "script/program/code_queue.hpp"
 #include "script/program/instruction.hpp"
 
 namespace parlour::script {
@@ -15,15 +13,12 @@ class EffectSearch {
 public:
   EffectSearch(const Program& program,
                const std::function<bool(EffectKind)>& wanted)
-      : program_(program), wanted_(wanted) {}
+      : program_(program), wanted_(wanted), waiting_(program) {}
 
   std::optional<EffectFound> find(CodeId code) {
-    add({code, {}, false});
-    while (!waiting_.empty() && !found_) {
-      const auto next = waiting_.front();
-      waiting_.pop_front();
-      look_at(next);
-    }
+    waiting_.add({code, {}, false});
+    for (auto next = waiting_.take(); next && !found_; next = waiting_.take())
+      look_at(*next);
     return found_;
   }
 
@@ -34,12 +29,6 @@ private:
     bool is_called = false;
   };
 
-  // Each function is searched once, as functions may call each other in a ring.
-  void add(Callee callee) {
-    if (callee.code < program_.code.size() && seen_.insert(callee.code).second)
-      waiting_.push_back(callee);
-  }
-
   void look_at(const Callee& one) {
     const auto& code = program_.code[one.code];
     for (std::size_t i = 0; i < code.instructions.size(); ++i) {
@@ -47,7 +36,8 @@ private:
       const auto position = code.positions[i];
       const auto operation = static_cast<Operation>(instruction.operation);
       if (operation == Operation::call)
-        add({instruction.wide(), one.is_called ? one.call : position, true});
+        waiting_.add(
+            {instruction.wide(), one.is_called ? one.call : position, true});
       else if (operation == Operation::effect)
         take(code.effects[instruction.c], position, one);
     }
@@ -62,8 +52,7 @@ private:
 
   const Program& program_;
   const std::function<bool(EffectKind)>& wanted_;
-  std::deque<Callee> waiting_;
-  std::set<CodeId> seen_;
+  CodeQueue<Callee> waiting_;
   std::optional<EffectFound> found_;
 };
 

@@ -163,6 +163,9 @@ struct Topic {
   std::vector<Constraint> constraints;
   std::vector<Rule> rules;
   std::vector<KnowledgeSource> queries;
+  // The session variables that conditions and texts of the slots and
+  // constraints may read, in ascending order.
+  std::vector<std::size_t> read_variables;
   // What runs when the topic's status changes (engine rule 5).
   CodeId started = no_code;
   CodeId suspended = no_code;

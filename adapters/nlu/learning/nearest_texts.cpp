@@ -68,9 +68,8 @@ void NearestTexts::add(const Words& words, std::uint32_t label) {
 }
 
 void NearestTexts::add_other(const Words& words) {
-  waiting_.push_back(features(words));
-  labels_.push_back(no_label);
-  values_.emplace_back();
+  waiting_others_.push_back(features(words));
+  ++other_count_;
 }
 
 // How rare a feature is, is told by the labels that have it: one label may have
@@ -79,34 +78,45 @@ void NearestTexts::finish() {
   std::unordered_map<Feature, std::set<std::uint32_t>> labels_of;
   for (std::size_t text = 0; text < waiting_.size(); ++text)
     for (const auto& [feature, weight] : waiting_[text])
-      if (auto& labels = labels_of[feature]; labels_[text] != no_label)
-        labels.insert(labels_[text]);
+      labels_of[feature].insert(labels_[text]);
   const auto all = static_cast<float>(label_count_) + 1;
+  for (const auto& text : waiting_others_)
+    for (const auto& [feature, weight] : text)
+      columns_[feature].rarity = std::log(all);
   for (const auto& [feature, labels] : labels_of)
     columns_[feature].rarity =
-        labels.empty()
-            ? std::log(all)
-            : std::log(all / (static_cast<float>(labels.size()) + 0.5F));
-  for (std::uint32_t text = 0; text < waiting_.size(); ++text) {
+        std::log(all / (static_cast<float>(labels.size()) + 0.5F));
+  post(waiting_, &Column::labelled);
+  post(waiting_others_, &Column::other);
+}
+
+void NearestTexts::post(std::vector<std::vector<Weighted>>& waiting,
+                        Postings Column::*postings) {
+  for (std::uint32_t text = 0; text < waiting.size(); ++text) {
     float length = 0;
-    for (auto& [feature, weight] : waiting_[text]) {
+    for (auto& [feature, weight] : waiting[text]) {
       weight *= columns_[feature].rarity;
       length += weight * weight;
     }
-    for (const auto& [feature, weight] : waiting_[text])
-      columns_[feature].texts.push_back({text, weight / std::sqrt(length)});
+    for (const auto& [feature, weight] : waiting[text])
+      (columns_[feature].*postings)
+          .push_back({text, weight / std::sqrt(length)});
   }
-  waiting_ = {};
+  waiting = {};
 }
 
-NearestTexts::Products
-NearestTexts::products(const Words& words,
-                       const std::vector<Words>& others) const {
+NearestTexts::Products NearestTexts::products(const Words& words,
+                                              const std::vector<Words>& others,
+                                              bool with_other_texts) const {
   const auto unknown = std::log(static_cast<float>(label_count_) + 1);
-  Products made{std::vector<float>(labels_.size())};
+  Products made{std::vector<float>(labels_.size()),
+                std::vector<float>(with_other_texts ? other_count_ : 0)};
   const auto look = [&](const Column& column, float weight) {
-    for (const auto& posting : column.texts)
-      made.of_texts[posting.text] += weight * posting.weight;
+    for (const auto& posting : column.labelled)
+      made.labelled[posting.text] += weight * posting.weight;
+    if (with_other_texts)
+      for (const auto& posting : column.other)
+        made.other[posting.text] += weight * posting.weight;
   };
   float squares = 0;
   for (const auto& [feature, share] : features(words)) {
@@ -129,12 +139,14 @@ NearestTexts::products(const Words& words,
 std::vector<NearText> NearestTexts::find(const Words& words,
                                          const std::vector<Words>& others,
                                          std::size_t most) const {
-  const auto [products, length] = this->products(words, others);
+  const auto near_to = products(words, others, false);
+  const auto& products = near_to.labelled;
+  const auto length = near_to.length;
   const auto said = values(words);
   std::vector<NearText> best(label_count_);
   for (std::uint32_t text = 0; text < labels_.size(); ++text) {
     // Most texts share nothing with the words.
-    if (products[text] == 0 || labels_[text] == no_label)
+    if (products[text] == 0)
       continue;
     if (auto& near = best[labels_[text]];
         products[text] > near.similarity * length &&
@@ -153,9 +165,13 @@ namespace {
 // The largest of the values that were added, of few of them.
 class Nearest {
 public:
+  // False: it would change nothing.
+  bool takes(float value) const {
+    return count_ < few || value > least_;
+  }
   void add(float value) {
-    const auto least = std::ranges::min_element(values_);
-    *least = std::max(*least, value);
+    *std::ranges::min_element(values_) = value;
+    least_ = std::ranges::min(values_);
     ++count_;
   }
   float average() const {
@@ -165,6 +181,7 @@ public:
 
 private:
   std::array<float, few> values_{};
+  float least_ = 0;
   std::size_t count_ = 0;
 };
 
@@ -172,16 +189,21 @@ private:
 
 Nearness NearestTexts::nearness(const Words& words,
                                 const std::vector<Words>& others) const {
-  const auto [products, length] = this->products(words, others);
-  if (length == 0)
+  const auto products = this->products(words, others, true);
+  if (products.length == 0)
     return {};
   const auto said = values(words);
   Nearest labelled;
+  for (std::size_t text = 0; text < labels_.size(); ++text)
+    if (const auto product = products.labelled[text];
+        labelled.takes(product) && std::ranges::includes(said, values_[text]))
+      labelled.add(product);
   Nearest other;
-  for (std::uint32_t text = 0; text < labels_.size(); ++text)
-    if (std::ranges::includes(said, values_[text]))
-      (labels_[text] == no_label ? other : labelled).add(products[text]);
-  return {labelled.average() / length, other.average() / length};
+  for (const auto product : products.other)
+    if (other.takes(product))
+      other.add(product);
+  return {labelled.average() / products.length,
+          other.average() / products.length};
 }
 
 } // namespace parlour::adapters::nlu

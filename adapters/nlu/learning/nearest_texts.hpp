@@ -62,26 +62,33 @@ private:
     std::uint32_t text = 0;
     float weight = 0;
   };
+  using Postings = std::vector<Posting>;
+  // The texts that have a feature: those with a label, and those without.
   struct Column {
     float rarity = 0;
-    std::vector<Posting> texts;
+    Postings labelled;
+    Postings other;
   };
-
-  // For each text, its product with these words, which have this length.
+  // For each text, its product with some words, which have this length.
   struct Products {
-    std::vector<float> of_texts;
+    std::vector<float> labelled;
+    std::vector<float> other; // empty if they are not wanted
     float length = 0;
   };
 
-  static constexpr std::uint32_t no_label = ~std::uint32_t{0};
-
   static std::vector<Weighted> features(const Words& words);
-  Products products(const Words& words, const std::vector<Words>& others) const;
   static std::vector<Feature> values(const Words& words);
+  void post(std::vector<std::vector<Weighted>>& waiting,
+            Postings Column::*postings);
+  Products products(const Words& words, const std::vector<Words>& others,
+                    bool with_other_texts) const;
 
-  std::vector<std::vector<Weighted>> waiting_; // until finish()
-  std::vector<std::uint32_t> labels_;          // by text
-  std::vector<std::vector<Feature>> values_;   // by text, sorted
+  // Until finish().
+  std::vector<std::vector<Weighted>> waiting_;
+  std::vector<std::vector<Weighted>> waiting_others_;
+  std::uint32_t other_count_ = 0;
+  std::vector<std::uint32_t> labels_;        // by text
+  std::vector<std::vector<Feature>> values_; // by text, sorted
   std::uint32_t label_count_ = 0;
   std::unordered_map<Feature, Column> columns_;
 };

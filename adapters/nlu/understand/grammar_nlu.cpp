@@ -105,32 +105,23 @@ void read_threshold(const Options& options, double& threshold,
          {}});
 }
 
-// None where an application has a generic grammar of its own and no platform.
-std::vector<SynonymGroup> platform_synonyms(const Options& options,
-                                            std::vector<Error>& errors) {
+// The text of a list that the platform ships; empty where an application has a
+// generic grammar of its own and no platform.
+std::string platform_list(const Options& options, const std::string& name,
+                          std::vector<Error>& errors) {
   const auto platform = option(options, "platform");
   if (platform.empty())
     return {};
-  const auto text = read_file(platform + "/synonyms.txt");
+  auto text = read_file(platform + "/" + name);
   if (text)
-    return read_synonyms(*text);
+    return std::move(*text);
   errors.push_back(text.error());
   return {};
 }
 
-// None where there is no platform.
-std::vector<std::string> platform_other_talk(const Options& options,
-                                             std::vector<Error>& errors) {
-  const auto platform = option(options, "platform");
-  if (platform.empty())
-    return {};
-  const auto text = read_file(platform + "/other-talk.txt");
-  if (text) {
-    const auto lines = lines_of(*text);
-    return {lines.begin(), lines.end()};
-  }
-  errors.push_back(text.error());
-  return {};
+std::vector<std::string> read_other_talk(std::string_view text) {
+  const auto lines = lines_of(text);
+  return {lines.begin(), lines.end()};
 }
 
 // Adds the examples of a file to those of the topics.
@@ -158,8 +149,9 @@ read_platform(const Options& options, const std::string& application_folder) {
     read.generic = {std::move(*generic)};
   else
     errors.push_back(generic.error());
-  read.synonyms = platform_synonyms(options, errors);
-  read.other_talk = platform_other_talk(options, errors);
+  read.synonyms = read_synonyms(platform_list(options, "synonyms.txt", errors));
+  read.other_talk =
+      read_other_talk(platform_list(options, "other-talk.txt", errors));
   if (const auto platform = option(options, "platform"); !platform.empty())
     read.language = language_store().read(platform, errors);
   if (!errors.empty())

@@ -97,8 +97,9 @@ Likeness::Likeness(const Automaton& automaton, const Schema& schema,
   }
   knows_other_talk_ =
       !other_talk.empty() && meanings_.size() >= enough_meanings;
-  for (const auto& sentence : other_talk)
-    texts_.add_other(plain_words(make_utterance(sentence, automaton)));
+  if (knows_other_talk_)
+    for (const auto& sentence : other_talk)
+      texts_.add_other(plain_words(make_utterance(sentence, automaton)));
   texts_.finish();
 }
 

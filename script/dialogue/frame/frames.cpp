@@ -4,90 +4,20 @@
 #include <utility>
 
 #include "script/dialogue/frame/frame_evaluator.hpp"
-#include "script/program/instruction.hpp"
 #include "script/support/short_lived.hpp"
 
 namespace parlour::dialogue {
 
 namespace {
 
-using script::Operation;
-
-// The code that a filling event may run, each once.
-class Reachable {
-public:
-  explicit Reachable(const script::Program& program)
-      : is_there_(program.code.size()) {}
-
-  void add(CodeId code) {
-    if (code == script::no_code || is_there_[code])
-      return;
-    is_there_[code] = true;
-    codes_.push_back(code);
-  }
-  // False: there is no more.
-  bool take(CodeId& code) {
-    if (codes_.empty())
-      return false;
-    code = codes_.back();
-    codes_.pop_back();
-    return true;
-  }
-
-private:
-  std::vector<bool> is_there_;
-  std::vector<CodeId> codes_; // not taken yet
-};
-
-Reachable code_of(const script::Program& program, const script::Topic& topic) {
-  Reachable reachable(program);
-  for (const auto& constraint : topic.constraints) {
-    reachable.add(constraint.condition);
-    reachable.add(constraint.message);
-  }
-  for (const auto& slot : topic.slots) {
-    reachable.add(slot.initial);
-    reachable.add(slot.condition);
-    reachable.add(slot.cardinality.minimum);
-    reachable.add(slot.cardinality.maximum);
-    for (auto value : slot.cardinality.values)
-      reachable.add(value);
-  }
-  return reachable;
-}
-
-// For each session variable, whether a filling event of the topic may read it:
-// its conditions and texts name it, or the functions that these call. All,
-// where a function is called by a name that is computed.
-std::vector<bool> variables_read(const script::Program& program,
-                                 const script::Topic& topic) {
-  std::vector<bool> read(program.variables.size());
-  auto reachable = code_of(program, topic);
-  for (auto code = script::no_code; reachable.take(code);)
-    for (const auto& instruction : program.code[code].instructions) {
-      const auto operation = static_cast<Operation>(instruction.operation);
-      if (operation == Operation::load_variable ||
-          operation == Operation::bind_variable)
-        read[instruction.b] = true;
-      else if (operation == Operation::call)
-        reachable.add(instruction.wide());
-      else if (operation == Operation::call_named)
-        return std::vector<bool>(read.size(), true);
-    }
-  return read;
-}
-
-// Those that the topic's conditions and texts may read, in their places; null:
-// none.
+// Those that the topic's filling events may read, in their places; null: none.
 std::shared_ptr<const List> variables_for(const script::Topic& topic,
                                           const script::Interpreter& from) {
-  const auto read = variables_read(from.program(), topic);
-  if (std::ranges::find(read, true) == read.end())
+  if (topic.read_variables.empty())
     return nullptr;
-  List values(read.size());
-  for (std::size_t i = 0; i < read.size(); ++i)
-    if (read[i])
-      values[i] = from.variable(i);
+  List values(from.program().variables.size());
+  for (const auto at : topic.read_variables)
+    values[at] = from.variable(at);
   return std::make_shared<const List>(std::move(values));
 }
 

@@ -22,11 +22,12 @@ add_compile_options(-pthread)
 # g++ collects its garbage again and again from 128 MB on, a tenth of the time.
 add_compile_options($<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:--param=ggc-min-heapsize=600000>)
 
+# What one clone has compiled, another one need not compile again.
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER
     "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
-    "${CCACHE}")
+    CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 "${CCACHE}")
 endif()
 find_program(LLD ld.lld)
 if(LLD)

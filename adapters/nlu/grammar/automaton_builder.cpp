@@ -20,14 +20,6 @@ namespace {
 // Bounds the memory and the time of loading.
 constexpr std::size_t max_nodes = 200'000;
 
-// The value of {Slot=value}: a boolean, a number or a text.
-Value literal(const std::string& text) {
-  if (text == "true" || text == "false")
-    return text == "true";
-  auto number = parse_number(text);
-  return number.is_unknown() ? Value(text) : number;
-}
-
 // Whether one of the node's tags names a slot.
 bool fills_slot(const jsgf::Node& node) {
   return std::ranges::any_of(node.tags, [](const jsgf::Tag& tag) {
@@ -333,7 +325,7 @@ std::string AutomatonBuilder::no_such_slot(const jsgf::Tag& tag) const {
 // {Slot} may belong to any topic that has it; {Topic.Slot} names one.
 std::optional<TagInfo> AutomatonBuilder::slot_tag(const jsgf::Tag& tag) {
   TagInfo made{TagKind::slot, tag.name, no_topic, tag.has_value,
-               tag.has_value ? literal(tag.value) : Value()};
+               tag.has_value ? jsgf::literal(tag.value) : Value()};
   if (const auto point = tag.name.find('.'); point != std::string::npos) {
     const auto reference = schema_.resolve(tag.name, tag.place, errors_);
     if (!reference)

@@ -1,12 +1,14 @@
 #include "adapters/nlu/grammar/example_file.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "adapters/nlu/grammar/examples.hpp"
+#include "adapters/nlu/grammar/jsgf.hpp"
 #include "adapters/nlu/grammar/marked_text.hpp"
 #include "adapters/nlu/text/similarity.hpp"
 #include "runtime/base/outside/file_bytes.hpp"
@@ -27,11 +29,22 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t") == std::string_view::npos;
 }
 
+using Constants = decltype(Wording::constants);
+
+// A line; a topic is its number in the model.
+struct Labelled {
+  std::size_t topic = 0;
+  Wording wording;
+};
+
 // `place_.line` is the current line, from 1.
-class ExampleReader {
+class LineReader {
 public:
-  ExampleReader(std::string file, UnderstandingModel& model)
-      : place_{std::move(file), 0, 0}, model_(model) {}
+  // Without constants, a line that has some has no known topic.
+  LineReader(std::string file, const UnderstandingModel& model,
+             bool takes_constants, std::function<void(Labelled)> take)
+      : place_{std::move(file), 0, 0}, model_(model),
+        takes_constants_(takes_constants), take_(std::move(take)) {}
 
   std::vector<Error> run(std::istream& in) {
     for (std::string line;
@@ -50,29 +63,60 @@ public:
   }
 
 private:
-  // Checks one line and adds its example.
+  // Checks one line and passes it on.
   void read(const std::string& line) {
     if (const auto invalid = find_invalid_utf8(line))
       return wrong(line, *invalid, "this is not UTF-8; save the file as UTF-8");
     const auto tab = line.find('\t');
     if (tab == std::string::npos || is_blank(line.substr(tab)))
       return wrong(line, 0, "a line is a topic, a tab, and the example's text");
-    const auto name = line.substr(0, tab);
+    const auto end = takes_constants_ ? std::min(line.find(' '), tab) : tab;
+    const auto name = line.substr(0, end);
     const auto topic =
         std::ranges::find(model_.topics, name, &TopicModel::name);
     if (topic == model_.topics.end())
       return wrong(line, 0,
                    "there is no topic '" + name + "'" +
                        did_you_mean(name, names_of(model_.topics)));
-    if (fits(line, tab + 1, *topic))
-      topic->examples.push_back(line.substr(tab + 1));
-  }
-
-  // Checks an example and reports what is wrong with it.
-  bool fits(const std::string& line, std::size_t begin,
-            const TopicModel& topic) {
     // The checks report errors; whether there were any shows at the end.
     const auto before = errors_.size();
+    auto constants = read_constants(line, end, tab, *topic);
+    check_text(line, tab + 1, *topic);
+    if (errors_.size() == before)
+      take_({static_cast<std::size_t>(topic - model_.topics.begin()),
+             {name, std::move(constants), line.substr(tab + 1)}});
+  }
+
+  // Slot=value or Slot="some value", with blanks before each, in [at, end).
+  Constants read_constants(const std::string& line, std::size_t at,
+                           std::size_t end, const TopicModel& topic) {
+    Constants constants;
+    while ((at = std::min(line.find_first_not_of(' ', at), end)) < end) {
+      const auto sign = line.find('=', at);
+      const bool quoted = sign < end && line[sign + 1] == '"';
+      const auto value = sign + (quoted ? 2 : 1);
+      const auto value_end =
+          sign < end ? line.find_first_of(quoted ? "\"\t" : " \t", value) : end;
+      if (sign >= end || value_end == value ||
+          (quoted && line[value_end] != '"')) {
+        wrong(line, at,
+              "a slot's value is written Slot=value or Slot=\"some "
+              "value\"");
+        return {};
+      }
+      const auto slot = line.substr(at, sign - at);
+      check_slot(line, at, slot, topic);
+      constants.emplace_back(
+          slot, jsgf::literal(line.substr(value, value_end - value)));
+      at = value_end + (quoted ? 1 : 0);
+    }
+    std::ranges::stable_sort(constants, {},
+                             &std::pair<std::string, Value>::first);
+    return constants;
+  }
+
+  void check_text(const std::string& line, std::size_t begin,
+                  const TopicModel& topic) {
     const auto text = line.substr(begin);
     const auto marked = read_marks(text);
     if (text.size() > max_example_bytes)
@@ -81,23 +125,26 @@ private:
       wrong(line, begin + text.find('['),
             "a slot's words are marked like this: [words](Slot)");
     else
-      check_slots(line, marked->marks, topic);
-    return errors_.size() == before;
+      check_slots(line, begin, marked->marks, topic);
   }
 
   // `at` is the position in the line of the current mark's slot.
-  void check_slots(const std::string& line,
+  void check_slots(const std::string& line, std::size_t at,
                    const std::vector<MarkedText::Mark>& marks,
                    const TopicModel& topic) {
-    std::size_t at = 0;
     for (const auto& mark : marks) {
       at = line.find("](", line.find('[', at)) + 2;
-      if (std::ranges::find(topic.slots, mark.slot, &SlotModel::name) ==
-          topic.slots.end())
-        wrong(line, at,
-              "the topic '" + topic.name + "' has no slot '" + mark.slot + "'" +
-                  did_you_mean(mark.slot, names_of(topic.slots)));
+      check_slot(line, at, mark.slot, topic);
     }
+  }
+
+  void check_slot(std::string_view line, std::size_t at,
+                  const std::string& slot, const TopicModel& topic) {
+    if (std::ranges::find(topic.slots, slot, &SlotModel::name) ==
+        topic.slots.end())
+      wrong(line, at,
+            "the topic '" + topic.name + "' has no slot '" + slot + "'" +
+                did_you_mean(slot, names_of(topic.slots)));
   }
 
   // Reports an error at a byte of the line. Columns count characters, so the
@@ -112,19 +159,39 @@ private:
   }
 
   SourceLocation place_;
-  UnderstandingModel& model_;
+  const UnderstandingModel& model_;
+  const bool takes_constants_;
+  const std::function<void(Labelled)> take_;
   std::vector<Error> errors_;
 };
+
+std::vector<Error> read_lines(const std::filesystem::path& path,
+                              const UnderstandingModel& model,
+                              bool takes_constants,
+                              std::function<void(Labelled)> take) {
+  auto text = read_file(path, max_example_file_bytes);
+  if (!text)
+    return {std::move(text.error())};
+  std::istringstream lines(std::move(*text));
+  return LineReader(path.string(), model, takes_constants, std::move(take))
+      .run(lines);
+}
 
 } // namespace
 
 std::vector<Error> add_example_file(const std::filesystem::path& path,
                                     UnderstandingModel& model) {
-  auto text = read_file(path, max_example_file_bytes);
-  if (!text)
-    return {std::move(text.error())};
-  std::istringstream lines(std::move(*text));
-  return ExampleReader(path.string(), model).run(lines);
+  return read_lines(path, model, false, [&](Labelled line) {
+    model.topics[line.topic].examples.push_back(std::move(line.wording.text));
+  });
+}
+
+std::vector<Error> read_wording_file(const std::filesystem::path& path,
+                                     const UnderstandingModel& model,
+                                     std::vector<Wording>& wordings) {
+  return read_lines(path, model, true, [&](Labelled line) {
+    wordings.push_back(std::move(line.wording));
+  });
 }
 
 } // namespace parlour::adapters::nlu

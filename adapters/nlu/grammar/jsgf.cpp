@@ -316,4 +316,11 @@ Grammar parse(const GrammarModel& model, std::vector<Error>& errors) {
   return grammar;
 }
 
+Value literal(const std::string& text) {
+  if (text == "true" || text == "false")
+    return text == "true";
+  auto number = parse_number(text);
+  return number.is_unknown() ? Value(text) : number;
+}
+
 } // namespace parlour::adapters::nlu::jsgf

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/value.hpp"
 #include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::nlu::jsgf {
@@ -61,5 +62,8 @@ struct Grammar {
 // Parses a grammar. All errors are added to `errors`, with their place in the
 // file in which the grammar stands. What could be read is returned in any case.
 Grammar parse(const GrammarModel& model, std::vector<Error>& errors);
+
+// The value of {Slot=value}: a boolean, a number or a text.
+Value literal(const std::string& text);
 
 } // namespace parlour::adapters::nlu::jsgf

@@ -19,6 +19,9 @@ constexpr float weight_among_many = 0.6F;
 constexpr double may_miss = 0.025;
 constexpr float least_odds = 1;
 constexpr float most_odds = 40;
+// What held-out texts gave for six applications with 1,800 to 3,100
+// wordings: 4.7 to 8.2.
+constexpr float usual_odds = 6.5F;
 
 float strength(float score) {
   return std::exp(sharpness * score);
@@ -46,6 +49,13 @@ Certainty::told_right(const std::vector<HeldOutText>& texts) const {
       made.push_back(most);
   }
   std::ranges::sort(made);
+  return made;
+}
+
+Certainty Certainty::of_many() {
+  Certainty made;
+  made.odds_ = usual_odds;
+  made.weight_of_known_ = weight_among_many;
   return made;
 }
 

@@ -20,6 +20,10 @@ public:
   // For few examples, of which none can be held out.
   Certainty() = default;
 
+  // For many texts beside many that are about nothing, where holding some out
+  // would take as long as learning does.
+  static Certainty of_many();
+
   // Such that of the texts which are told right, 39 of 40 reach `threshold`.
   Certainty(const std::vector<HeldOutText>& texts, double threshold);
 

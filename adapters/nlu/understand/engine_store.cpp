@@ -22,12 +22,15 @@ EngineStore::get(const UnderstandingModel& model, NluEngine::Options options,
     const auto values = values_of(column.first);
     return values && *values == column.second;
   };
+  std::shared_ptr<const Kept> taught;
   for (auto& each : kept()) {
-    if (each->model == model && each->options == options &&
-        std::ranges::all_of(each->columns, has_these_values)) {
+    if (each->model != model || each->options != options)
+      continue;
+    if (std::ranges::all_of(each->columns, has_these_values)) {
       keep(each);
       return each->engine;
     }
+    taught = each;
   }
   std::map<std::string, std::vector<std::string>> read;
   auto built = NluEngine::build(
@@ -38,7 +41,7 @@ EngineStore::get(const UnderstandingModel& model, NluEngine::Options options,
           read[name] = *values;
         return values;
       },
-      options);
+      options, taught ? &taught->engine : nullptr);
   if (built)
     keep(std::make_shared<const Kept>(
         Kept{model, std::move(options), std::move(read), *built}));

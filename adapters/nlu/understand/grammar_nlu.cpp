@@ -27,6 +27,9 @@ const std::vector<OptionDescription>& option_descriptions() {
       {"examples", "",
        "a file of the application with further examples, a topic, a tab and a "
        "text in each line"},
+      {"wordings", "",
+       "a file of the application with what people say: topic and slots, a tab "
+       "and a text in each line"},
       {"generic", "",
        "the application's grammar of generic acts, instead of the platform's"},
       {"platform", "", "folder of what the platform ships"}};
@@ -52,8 +55,13 @@ protected:
           !fits)
         return fits;
     const auto model = host().understanding();
+    auto read = options;
+    // Without topics there is nothing that the application's files could mean.
+    if (!model)
+      for (const auto* file : {"examples", "wordings"})
+        read.erase(file);
     auto sources = std::make_shared<const nlu::EngineSources>(
-        nlu::read_sources(options, model ? *model : UnderstandingModel(),
+        nlu::read_sources(read, model ? *model : UnderstandingModel(),
                           host().application_folder()));
     return begin([sources = std::move(sources)](const ColumnReader& columns) {
       return nlu::build_engine(*sources, columns);
@@ -124,17 +132,19 @@ std::vector<std::string> read_other_talk(std::string_view text) {
   return {lines.begin(), lines.end()};
 }
 
-// Adds the examples of a file to those of the topics.
-void read_examples(const Options& options,
+// Reads the file that an option names, if it does, by `read`, which returns
+// errors.
+void read_own_file(const Options& options,
                    const std::string& application_folder,
-                   UnderstandingModel& model, std::vector<Error>& errors) {
-  const auto name = option(options, "examples");
-  if (name.empty())
+                   const std::string& name, std::vector<Error>& errors,
+                   const auto& read) {
+  const auto file = option(options, name);
+  if (file.empty())
     return;
-  const auto path = inside(application_folder, name, "examples");
+  const auto path = inside(application_folder, file, name);
   if (!path)
     return errors.push_back(path.error());
-  for (auto& error : add_example_file(*path, model))
+  for (auto& error : read(*path))
     errors.push_back(std::move(error));
 }
 
@@ -168,7 +178,14 @@ EngineSources read_sources(const Options& options, UnderstandingModel model,
     sources.platform = std::move(*platform);
   else
     sources.errors = std::move(platform.error());
-  read_examples(options, application_folder, model, sources.errors);
+  read_own_file(
+      options, application_folder, "examples", sources.errors,
+      [&](const auto& path) { return add_example_file(path, model); });
+  read_own_file(options, application_folder, "wordings", sources.errors,
+                [&](const auto& path) {
+                  return read_wording_file(path, model,
+                                           sources.platform.wordings);
+                });
   sources.model = std::move(model);
   return sources;
 }

@@ -9,27 +9,18 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// From this score on, grammars need no hypothesis.
-constexpr double well_understood = 0.9;
 // How close to the best score an alternative is.
 constexpr double alternative_range = 0.1;
+// What a topic needs above the threshold beside many wordings: at any time,
+// while something is asked, and while a yes or no is waited for, to be answered
+// and to be begun.
+constexpr double among_many = 0.05;
+constexpr double beside_a_question = 0.2;
+constexpr double answered_beside_a_yes = 0.4;
+constexpr double begun_beside_a_yes = 0.5;
 // For how many topics slots are looked for, beside those that the context
 // prefers.
 constexpr std::size_t max_topics = 4;
-
-// Whether the fill uses one of these tokens.
-bool overlap(const Fill& fill, std::uint32_t begin, std::uint32_t end) {
-  return fill.begin < end && begin < fill.end;
-}
-
-// A slot is filled once, but for one with several values; a word fills one
-// slot.
-bool may_add(const std::vector<Fill>& fills, const Fill& more, bool many) {
-  return std::ranges::none_of(fills, [&](const Fill& fill) {
-    return (fill.slot == more.slot && !many) ||
-           overlap(fill, more.begin, more.end);
-  });
-}
 
 // Finds the values of the slots of one topic.
 class SlotFiller {
@@ -112,7 +103,7 @@ private:
   }
 
   void add(Fill fill) {
-    if (may_add(fills_, fill, schema_.at(topic_).takes_many(fill.slot)))
+    if (may_fill(fills_, fill, schema_.at(topic_).takes_many(fill.slot)))
       fills_.push_back(std::move(fill));
   }
 
@@ -227,37 +218,46 @@ BuiltAct refusal(const Utterance& utterance, double score) {
   return act;
 }
 
-// Whether the hypothesis has these values, too.
-bool has_all(const BuiltAct& hypothesis, const BuiltAct& act) {
-  return std::ranges::all_of(act.fills, [&](const Fill& fill) {
-    return std::ranges::any_of(hypothesis.fills, [&](const Fill& other) {
-      return other.begin <= fill.begin && fill.end <= other.end;
-    });
+// Instead of what was found for these slots.
+void add_constants(
+    BuiltAct& act,
+    const std::vector<std::pair<std::string, Value>>& constants) {
+  for (const auto& [slot, value] : constants) {
+    std::erase_if(act.fills,
+                  [&](const Fill& fill) { return fill.slot == slot; });
+    act.fills.push_back({slot, act.topic, {}, value, act.begin, act.end});
+  }
+}
+
+bool says_all(const BuiltAct& act, const std::vector<std::string>& slots) {
+  return std::ranges::all_of(slots, [&](const std::string& slot) {
+    return std::ranges::find(act.fills, slot, &Fill::slot) != act.fills.end();
   });
 }
 
-// Acts about the conversation for which a part of a sentence about a topic may
-// be taken: "repeat the alarm". A yes or no is never replaced.
-bool is_replaceable(const BuiltAct& act) {
-  return act.topic == no_topic && act.score < well_understood &&
-         act.act != "confirm" && act.act != "deny" && act.act != "correct";
-}
-
-// A bare value tells no topic by itself. If the conversation does not expect
-// it, the words around it decide.
-bool is_better(const BuiltAct& act, const BuiltAct& hypothesis,
-               const Context& context) {
-  // What is broken off is what goes on: "never mind, I can walk".
-  const bool breaks_off = act.act == "cancel" || act.act == "abandon";
-  if (act.topic == no_topic)
-    return is_replaceable(act) && hypothesis.score > act.score &&
-           !(breaks_off && max_bonus(hypothesis.topic, context) > 0);
-  return act.elliptical && act.act != "correct" &&
-         (act.score < hypothesis.score ||
-          (max_bonus(act.topic, context) == 0 && has_all(hypothesis, act)));
+// What a topic needs above the threshold beside many wordings. One that nobody
+// has spoken of needs more while a question waits, and all but the one that is
+// asked about need most where a yes or no does.
+double doubt_of(TopicNumber topic, const Schema& schema,
+                const TrainedModel& learned, const Context& context) {
+  if (!learned.is_well_taught())
+    return 0;
+  if (!context.confirms.empty() && topic != context.asked_topic)
+    return schema.at(topic).enquiry ? answered_beside_a_yes
+                                    : begun_beside_a_yes;
+  const bool is_new = !context.expects(topic);
+  return is_new && context.asked_topic != no_topic ? beside_a_question
+                                                   : among_many;
 }
 
 } // namespace
+
+bool may_fill(const std::vector<Fill>& fills, const Fill& more, bool many) {
+  return std::ranges::none_of(fills, [&](const Fill& fill) {
+    return (fill.slot == more.slot && !many) ||
+           (fill.begin < more.end && more.begin < fill.end);
+  });
+}
 
 std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
                                         const Utterance& utterance,
@@ -276,13 +276,15 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
   std::vector<std::vector<Feature>> features;
   for (std::size_t at = 0; at < topics.size(); ++at) {
     const auto& hypothesis = topics[at];
-    if (at >= max_topics && max_bonus(hypothesis.topic, context) == 0)
+    const auto& constants = hypothesis.label->constants;
+    if (at >= max_topics && !context.expects(hypothesis.topic))
       continue;
     // Topics that cannot reach the threshold are skipped before the slots,
     // which are the expensive part, are looked for.
     const auto& topic = schema.at(hypothesis.topic);
     if ((topic.part && !context.goes_on(hypothesis.topic)) ||
-        (!makeup.content && hypothesis.probability < very_likely))
+        (!makeup.content &&
+         (hypothesis.probability < very_likely || !constants.empty())))
       continue;
     const auto probability = evidence.joined(hypothesis);
     if (probability + max_bonus(hypothesis.topic, context) < threshold)
@@ -292,7 +294,7 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
     BuiltAct act;
     // A negated order is a refusal, unless such orders are what the topic is
     // about, or a more likely one.
-    if (!hypothesis.negates &&
+    if (!hypothesis.label->negates &&
         is_negated_order(utterance.tokens, utterance.negates)) {
       if (acts.empty())
         return {refusal(utterance, probability)};
@@ -303,11 +305,15 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
     act.fills = SlotFiller(utterance, spans, schema, hypothesis.topic)
                     .run(learned.slots(hypothesis.topic, features));
     act.end = static_cast<std::uint32_t>(utterance.size());
+    add_constants(act, constants);
     act.score = probability + bonus_of(act, context);
+    const bool is_new = !context.expects(hypothesis.topic);
     const bool begins = learned.is_beside_grammars() && !topic.enquiry &&
-                        act.fills.empty() &&
-                        max_bonus(hypothesis.topic, context) == 0;
-    if (act.score >= threshold + (begins ? task_without_values : 0))
+                        act.fills.size() == constants.size() && is_new;
+    if (says_all(act, hypothesis.label->needs) &&
+        act.score >=
+            threshold + std::max(begins ? task_without_values : 0,
+                                 doubt_of(act.topic, schema, learned, context)))
       acts.push_back(std::move(act));
   }
   keep_best(acts);
@@ -317,45 +323,14 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
 void keep_best(std::vector<BuiltAct>& acts) {
   std::ranges::stable_sort(acts, std::greater(), &BuiltAct::score);
   std::erase_if(acts, [&](const BuiltAct& act) {
-    return act.score < acts.front().score - alternative_range;
+    return act.score < acts.front().score - alternative_range ||
+           (&act != &acts.front() && act.topic == acts.front().topic);
   });
 }
 
 std::vector<Fill> certain_fills(const Utterance& utterance, Spans& spans,
                                 const Schema& schema, TopicNumber topic) {
   return SlotFiller(utterance, spans, schema, topic).run({});
-}
-
-bool leaves_open(const std::vector<BuiltAct>& acts) {
-  return acts.empty() ||
-         (acts.size() == 1 &&
-          (acts[0].topic == no_topic
-               ? is_replaceable(acts[0])
-               : acts[0].elliptical || acts[0].score < well_understood));
-}
-
-bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
-                   const Schema& schema, const Context& context) {
-  const bool better = acts.empty() || is_better(acts[0], hypothesis, context);
-  if (acts.empty() || (better && acts[0].topic != hypothesis.topic)) {
-    acts = {hypothesis};
-    return true;
-  }
-  if (acts[0].topic != hypothesis.topic || acts[0].act == "deny")
-    return false;
-  for (const auto& fill : hypothesis.fills)
-    if (may_add(acts[0].fills, fill,
-                schema.at(hypothesis.topic).takes_many(fill.slot)))
-      acts[0].fills.push_back(fill);
-  // Several topics take this value, but the whole sentence is about this one:
-  // the act is no longer elliptical.
-  const bool sentence = better && acts[0].act == hypothesis.act &&
-                        context.bonus(hypothesis.topic) == 0;
-  if (sentence) {
-    acts[0].score = hypothesis.score;
-    acts[0].elliptical = false;
-  }
-  return sentence;
 }
 
 } // namespace parlour::adapters::nlu

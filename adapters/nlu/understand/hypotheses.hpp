@@ -22,23 +22,16 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
 // "how old are you" wants no taxi.
 inline constexpr double task_without_values = 0.1;
 
-// Leaves the act with the best score, and those that are nearly as good behind
-// it, in the order of their scores.
+// Leaves the act with the best score, and those about other topics that are
+// nearly as good behind it, in the order of their scores.
 void keep_best(std::vector<BuiltAct>& acts);
 
 // The values that clearly fill slots of the topic.
 std::vector<Fill> certain_fills(const Utterance& utterance, Spans& spans,
                                 const Schema& schema, TopicNumber topic);
 
-// Whether the acts that grammars found are so few or so weak that the examples
-// may know more.
-bool leaves_open(const std::vector<BuiltAct>& acts);
-
-// Puts the hypothesis in the place of the acts if it is better; otherwise adds
-// the slots that it found beside them. True if it took their place. A bare
-// value about the topic that the context expects is kept, whatever the examples
-// say.
-bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
-                   const Schema& schema, const Context& context);
+// Whether there is room for one more: a slot is filled once, but for one with
+// several values; a word fills one slot.
+bool may_fill(const std::vector<Fill>& fills, const Fill& more, bool many);
 
 } // namespace parlour::adapters::nlu

@@ -18,8 +18,7 @@ constexpr std::size_t enough_meanings = 20;
 // How much nearer other talk must be.
 constexpr float much_nearer = 0.05F;
 
-// Of the rules that are remembered, and how many meanings are looked at.
-constexpr std::size_t sentences = 8000;
+// So many meanings are looked at.
 constexpr std::size_t most_meanings = 3;
 
 // With "@" for each value.
@@ -81,12 +80,13 @@ struct Likeness::Said {
   std::vector<NearestTexts::Words> others;
 };
 
-Likeness::Likeness(const Automaton& automaton, const Schema& schema,
+Likeness::Likeness(const Automaton& automaton,
+                   const std::vector<SampledSentence>& sentences,
                    const std::vector<std::string>& other_talk)
     : words_(automaton.vocabulary.size() + 1) {
   for (const auto& [word, number] : automaton.vocabulary)
     words_[number] = word;
-  for (const auto& sentence : sample_sentences(automaton, schema, sentences)) {
+  for (const auto& sentence : sentences) {
     const auto found = std::ranges::find(meanings_, sentence.meaning);
     const auto label = static_cast<std::uint32_t>(found - meanings_.begin());
     if (found == meanings_.end())
@@ -190,13 +190,6 @@ std::vector<BuiltAct> Likeness::acts(const Utterance& utterance, Spans& spans,
       acts.push_back(std::move(act));
   }
   keep_best(acts);
-  // Another meaning of the same topic is no alternative to it.
-  if (!acts.empty())
-    acts.erase(std::remove_if(acts.begin() + 1, acts.end(),
-                              [&](const BuiltAct& act) {
-                                return act.topic == acts.front().topic;
-                              }),
-               acts.end());
   return acts;
 }
 

@@ -26,9 +26,11 @@ public:
     std::vector<std::pair<std::string, EntityId>> values;
   };
 
-  // `other_talk` are sentences that are about nothing of any application.
-  Likeness(const Automaton& automaton, const Schema& schema,
-           const std::vector<std::string>& other_talk = {});
+  // Of what rules say. `other_talk` are sentences that are about nothing of any
+  // application.
+  Likeness(const Automaton& automaton,
+           const std::vector<SampledSentence>& sentences,
+           const std::vector<std::string>& other_talk);
 
   // The meanings that it is most like, the most similar first.
   std::vector<Like> likes(const Utterance& utterance,

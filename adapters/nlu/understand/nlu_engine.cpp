@@ -13,26 +13,23 @@
 #include "adapters/nlu/acts/choice.hpp"
 #include "adapters/nlu/acts/correction.hpp"
 #include "adapters/nlu/acts/taken_back.hpp"
-#include "adapters/nlu/grammar/automaton_builder.hpp"
-#include "adapters/nlu/grammar/examples.hpp"
 #include "adapters/nlu/grammar/merged_states.hpp"
 #include "adapters/nlu/parse/island_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/parse/preferences.hpp"
 #include "adapters/nlu/parse/unmatched_values.hpp"
 #include "adapters/nlu/text/words.hpp"
+#include "adapters/nlu/understand/better_reading.hpp"
 #include "adapters/nlu/understand/explanation.hpp"
 #include "adapters/nlu/understand/heard_texts.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
 #include "adapters/nlu/understand/likeness.hpp"
+#include "adapters/nlu/understand/rule_sources.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
 
-// What a bare value, and a part of an example, lose against a whole sentence.
-constexpr float bare_bias = -0.3F;
-constexpr float part_bias = -0.2F;
 // How close to the best score an alternative is. It is less than what the
 // context is worth, so that of equals the expected topic wins. Scores are sums
 // of decimals, hence a tolerance.
@@ -40,87 +37,8 @@ constexpr double alternative_range = 0.1;
 constexpr double tolerance = 1e-6;
 // How much lower the score of a chain about another topic may be.
 constexpr double fit_range = 0.35;
-
-// A grammar that is named like a topic is about it.
-void add_grammars(AutomatonBuilder& builder, const Schema& schema,
-                  const std::vector<GrammarModel>& grammars, bool generic,
-                  std::vector<Error>& errors) {
-  for (const auto& model : grammars) {
-    RuleInfo info;
-    info.generic = generic;
-    info.topic = schema.topic(model.name);
-    builder.add(jsgf::parse(model, errors), info);
-  }
-}
-
-// Adds {act=…} to a rule.
-jsgf::Node with_act(jsgf::Node node, std::string act) {
-  node.tags.push_back({"act", std::move(act), true, {}});
-  return node;
-}
-
-// More examples are learnt only. As rules they would make every utterance slow.
-constexpr std::size_t max_example_rules = 500;
-
-// Few examples also become rules.
-bool become_rules(const std::vector<TopicModel>& topics) {
-  std::size_t examples = 0;
-  for (const auto& topic : topics)
-    examples += topic.examples.size();
-  return examples <= max_example_rules;
-}
-
-// Reports the slots of an example that do not exist; as a rule, the builder
-// does it.
-void check_slots(const jsgf::Node& whole, Schema& schema,
-                 std::vector<Error>& errors) {
-  for (const auto& part : whole.children)
-    if (part.kind == jsgf::NodeKind::reference)
-      // Only the errors matter here.
-      schema.resolve(part.text, {}, errors);
-}
-
-void add_examples(AutomatonBuilder& builder, Schema& schema,
-                  const std::vector<TopicModel>& topics,
-                  std::vector<Error>& errors) {
-  const bool as_rules = become_rules(topics);
-  for (const auto& topic : topics) {
-    RuleInfo info;
-    info.topic = schema.topic(topic.name);
-    for (const auto& example : topic.examples) {
-      auto rules = example_rules(topic, example, errors);
-      if (!as_rules) {
-        check_slots(rules.whole, schema, errors);
-        continue;
-      }
-      info.name = "\"" + example + "\"";
-      info.bias = 0;
-      builder.add(
-          with_act(std::move(rules.whole), schema.at(info.topic).usual_act()),
-          info);
-      info.bias = part_bias;
-      for (const auto& part : rules.parts)
-        builder.add(part, info);
-    }
-  }
-}
-
-// Adds a rule for each slot, since its value may be said alone.
-void add_bare_values(AutomatonBuilder& builder, const Schema& schema) {
-  for (const auto& topic : schema.topics()) {
-    for (const auto& slot : topic.slots) {
-      if (slot.entity == words_entity)
-        continue;
-      const auto reference = topic.name + '.' + slot.name;
-      RuleInfo info;
-      info.name = "<@" + reference + ">";
-      info.topic = schema.topic(topic.name);
-      info.bare = true;
-      info.bias = bare_bias;
-      builder.add({jsgf::NodeKind::reference, reference, {}, {}, {}, {}}, info);
-    }
-  }
-}
+// Of what the rules say, so many sentences are remembered.
+constexpr std::size_t rule_sentences = 8000;
 
 // Acts about other topics that score almost as high as the best one. The engine
 // may ask the user which was meant.
@@ -182,12 +100,17 @@ void add_alternatives(Understanding& made, const Alternatives& alternatives,
 
 } // namespace
 
+// What does not hang on the values that columns have just now.
+struct NluEngine::Taught {
+  TrainedModel learned;
+  Likeness likeness;
+};
+
 // Everything that was built. It does not change any more.
 struct NluEngine::Implementation {
   Schema schema;
   Automaton automaton;
-  TrainedModel learned;
-  Likeness likeness;
+  std::shared_ptr<const Taught> taught;
   double threshold;
 
   // The entities to look for: those of the grammars, and those of the context.
@@ -213,11 +136,12 @@ struct NluEngine::Implementation {
                                    bool nothing_else) const {
     if (!context.grammar.empty())
       return {};
-    auto made = hypothesised_acts(learned, utterance, spans, schema, context,
-                                  threshold);
+    auto made = hypothesised_acts(taught->learned, utterance, spans, schema,
+                                  context, threshold);
     if (made.empty() && nothing_else)
-      made = likeness.acts(utterance, spans, learned.words(utterance, spans),
-                           schema, context, threshold);
+      made = taught->likeness.acts(utterance, spans,
+                                   taught->learned.words(utterance, spans),
+                                   schema, context, threshold);
     return made;
   }
 
@@ -240,13 +164,13 @@ struct NluEngine::Implementation {
           const std::vector<BuiltAct>& acts, bool is_other_talk) const {
     const Explanation explanation(utterance, spans, schema);
     auto lines = explanation.lines(islands, chains, acts);
-    const auto learnt = explanation.learnt(learned);
+    const auto learnt = explanation.learnt(taught->learned);
     const auto before_acts = [&] {
       return lines.end() - static_cast<std::ptrdiff_t>(acts.size());
     };
     lines.insert(before_acts(), learnt.begin(), learnt.end());
-    for (const auto& like :
-         likeness.likes(utterance, learned.words(utterance, spans)))
+    for (const auto& like : taught->likeness.likes(
+             utterance, taught->learned.words(utterance, spans)))
       lines.insert(before_acts(),
                    fmt::format("alike {:.2f} {} \"{}\"", like.similarity,
                                schema.at(like.meaning.topic).name,
@@ -260,25 +184,34 @@ struct NluEngine::Implementation {
 NluEngine::NluEngine(std::shared_ptr<const Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
+Expected<NluEngine::SharedTaught>
+NluEngine::teach(const UnderstandingModel& model, const Schema& schema,
+                 const Automaton& automaton, const Options& options) {
+  const auto sentences = sample_sentences(automaton, schema, rule_sentences);
+  return TrainedModel::train(model.topics, schema, automaton, options.threshold,
+                             {}, options.language,
+                             {options.wordings, sentences, options.other_talk})
+      .map([&](TrainedModel learned) -> SharedTaught {
+        return std::make_shared<const Taught>(
+            Taught{std::move(learned),
+                   Likeness(automaton, sentences, options.other_talk)});
+      });
+}
+
 tl::expected<NluEngine, std::vector<Error>>
 NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
-                 Options options) {
+                 Options options, const NluEngine* taught) {
   std::vector<Error> errors;
   Schema schema(model, columns, errors);
   AutomatonBuilder builder(schema, errors);
-  add_grammars(builder, schema, options.generic, true, errors);
-  add_grammars(builder, schema, model.grammars, false, errors);
-  add_examples(builder, schema, model.topics, errors);
-  add_bare_values(builder, schema);
+  add_rules(model, options.generic, schema, builder, errors);
   auto automaton = builder.finish();
   if (!errors.empty())
     return tl::make_unexpected(std::move(errors));
-  auto learned =
-      TrainedModel::train(model.topics, schema, automaton, options.threshold,
-                          {}, std::move(options.language));
-  if (!learned)
-    return tl::make_unexpected(std::vector{learned.error()});
-  Likeness likeness(automaton, schema, options.other_talk);
+  auto known = taught ? Expected<SharedTaught>(taught->implementation_->taught)
+                      : teach(model, schema, automaton, options);
+  if (!known)
+    return tl::make_unexpected(std::vector{known.error()});
   automaton = merge_states(std::move(automaton));
   for (const auto word : all_hesitations())
     if (schema.values().has_word(word))
@@ -288,9 +221,9 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
       options.synonyms,
       [&](auto word) { return schema.values().has_word(word); }, automaton);
   schema.add_synonyms(options.synonyms);
-  return NluEngine(std::shared_ptr<const Implementation>(new Implementation{
-      std::move(schema), std::move(automaton), std::move(*learned),
-      std::move(likeness), options.threshold}));
+  return NluEngine(std::shared_ptr<const Implementation>(
+      new Implementation{std::move(schema), std::move(automaton),
+                         std::move(*known), options.threshold}));
 }
 
 Understanding NluEngine::understand(std::string_view text, const Value& context,
@@ -333,12 +266,21 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
   drop_implausible(islands, utterance, spans);
 }
 
+bool is_one_far_fetched(const std::vector<BuiltAct>& acts,
+                        const Utterance& utterance, const Spans& spans,
+                        const Context& context) {
+  return std::ranges::any_of(acts, [&](const BuiltAct& act) {
+    return is_far_fetched(act, utterance, spans, context);
+  });
+}
+
 } // namespace
 
 Understanding NluEngine::read(std::string_view text, const Value& context_value,
                               bool explain) const {
   const auto& self = *implementation_;
   const auto& schema = self.schema;
+  const auto& [learned, likeness] = *self.taught;
   // The stages, each on the result of the one before:
   //  tokens -> spans (values) -> matches (rules) -> islands (meaning)
   //  -> chains -> acts, completed by hypotheses of the examples
@@ -352,9 +294,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   leave_out_what_nobody_means(islands, utterance, spans, schema, context);
   auto chains = best_chains(islands, utterance.size(), context);
   auto acts = self.acts_of(chains[0], utterance, context);
-  if (std::ranges::any_of(acts, [&](const BuiltAct& act) {
-        return is_far_fetched(act, utterance, spans, context);
-      })) {
+  if (is_one_far_fetched(acts, utterance, spans, context)) {
     leave_out_unknown_values(islands, spans);
     chains = best_chains(islands, utterance.size(), context);
     acts = self.acts_of(chains[0], utterance, context);
@@ -363,14 +303,15 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   if (choice)
     acts = {*choice};
   // Only if grammars left something open.
-  const auto hypotheses =
-      !choice && leaves_open(acts)
-          ? self.hypotheses(utterance, spans, context, acts.empty())
-          : std::vector<BuiltAct>();
-  const bool guessed = !hypotheses.empty() &&
-                       prefer_better(acts, hypotheses[0], schema, context);
-  const bool is_other = self.likeness.leave_out_other_talk(
-      acts, utterance, spans, self.learned, context);
+  std::vector<BuiltAct> hypotheses;
+  if (!choice && leaves_open(acts))
+    hypotheses = self.hypotheses(utterance, spans, context, acts.empty());
+  const bool guessed =
+      !hypotheses.empty() && prefer_better(acts, hypotheses[0], schema, context,
+                                           learned.is_well_taught());
+  const bool is_other =
+      !(guessed && learned.is_well_taught()) &&
+      likeness.leave_out_other_talk(acts, utterance, spans, learned, context);
   for (auto& act : acts)
     correct_what_was_said(act, spans, context);
   join_corrections(acts, schema);

@@ -14,6 +14,7 @@
 
 #include <tl/expected.hpp>
 
+#include "adapters/nlu/grammar/example_file.hpp"
 #include "adapters/nlu/grammar/synonyms.hpp"
 #include "adapters/nlu/understand/language_knowledge.hpp"
 #include "adapters/nlu/understand/understood.hpp"
@@ -30,6 +31,8 @@ public:
     std::vector<GrammarModel> generic;
     // By which words that no grammar has are understood.
     std::vector<SynonymGroup> synonyms = {};
+    // What people say; it is learnt, and becomes no rule.
+    std::vector<Wording> wordings = {};
     // Sentences that are about nothing of any application.
     std::vector<std::string> other_talk = {};
     // By which what is learnt is more than the words of the examples.
@@ -39,10 +42,12 @@ public:
   };
 
   // Compiles grammars, reads columns and learns examples, which may take
-  // seconds. Returns all errors if there are any.
+  // seconds. Returns all errors if there are any. `taught` may be an engine of
+  // the same model and options: what it has learnt is taken over, though
+  // columns have other values by now.
   static tl::expected<NluEngine, std::vector<Error>>
   build(const UnderstandingModel& model, const ColumnReader& columns,
-        Options options);
+        Options options, const NluEngine* taught = nullptr);
 
   // `context` is the map that comes with DoNLU, or unknown. Of what it says was
   // heard, another text may be understood, where it makes clearly more sense.
@@ -54,6 +59,13 @@ public:
 
 private:
   struct Implementation;
+  struct Taught;
+  using SharedTaught = std::shared_ptr<const Taught>;
+
+  static Expected<SharedTaught> teach(const UnderstandingModel& model,
+                                      const Schema& schema,
+                                      const Automaton& automaton,
+                                      const Options& options);
 
   Understanding read(std::string_view text, const Value& context,
                      bool explain) const;

@@ -7,16 +7,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "adapters/nlu/grammar/marked_text.hpp"
-#include "adapters/nlu/text/negation.hpp"
-#include "adapters/nlu/text/words.hpp"
+#include "adapters/nlu/understand/learning_words.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
-
-// The label of texts that are about no topic.
-constexpr std::uint32_t nothing = 0;
 
 // With fewer texts, too few can be held out to find the calibration.
 constexpr std::size_t many_texts = 300;
@@ -24,8 +19,6 @@ constexpr std::size_t many_texts = 300;
 constexpr std::size_t very_many_texts = 2000;
 // Of the words, beside grammars.
 constexpr float mostly_known = 0.5F;
-// Words in one text without a topic.
-constexpr std::size_t words_of_nothing = 20;
 // From this probability on, the encoder is not asked.
 constexpr float sure = 0.9F;
 // Beside grammars, examples are few, and many sentences are about nothing that
@@ -47,24 +40,6 @@ bool held_out(const std::vector<Feature>& features) {
   return (sum >> 32) % one_in == 0;
 }
 
-// Whether the span is a known value, without titles and determiners before it.
-// Words that only sound or look like one are no evidence: in "how can I root a
-// phone", nobody is called Ruth.
-bool is_certain(const Span& span) {
-  return (is_form(span.entity) || is_set(span.entity)) && !span.weak &&
-         !span.unmatched && span.confidence >= guessed_value &&
-         span.begin == span.core;
-}
-
-// For the encoder.
-std::string text_of(const std::vector<LearningWord>& words) {
-  std::string text;
-  for (const auto& word : words)
-    if (!word.filler)
-      text.append(text.empty() ? "" : " ").append(word.word);
-  return text;
-}
-
 // Whether there are rules that are neither examples nor the platform's.
 bool has_grammars(const Automaton& automaton) {
   return std::ranges::any_of(automaton.rules, [](const RuleInfo& rule) {
@@ -76,70 +51,23 @@ bool has_grammars(const Automaton& automaton) {
 
 std::vector<LearningWord> TrainedModel::words(const Utterance& utterance,
                                               const Spans& spans) const {
-  std::vector<LearningWord> words;
-  const auto* vectors = language_.vectors.get();
-  for (std::size_t at = 0; at < utterance.size(); ++at) {
-    const auto& word = utterance.tokens.list[at].word;
-    words.push_back({word, 0, vectors ? vectors->find(word) : WordMeaning(),
-                     utterance.filler[at]});
-  }
-  std::vector<const Span*> known;
-  for (const auto& span : spans.all())
-    if (is_certain(span))
-      known.push_back(&span);
-  // Longer values first, so that a value within a longer one does not count.
-  std::ranges::stable_sort(known, [](const Span* left, const Span* right) {
-    return left->end - left->begin > right->end - right->begin;
-  });
-  for (const auto* span : known) {
-    const auto part =
-        std::span(words).subspan(span->begin, span->end - span->begin);
-    if (std::ranges::all_of(part,
-                            [](const auto& one) { return one.kind == 0; }))
-      for (auto& word : part)
-        word.kind = span->entity + 1;
-  }
-  return words;
+  return learning_words(utterance, spans, language_.vectors.get());
 }
 
-// Collects the examples in the form that classifier and tagger need, then
-// trains both.
+// Trains classifier and tagger on what the lessons have collected, which it
+// takes from them piece by piece, so that nothing is in memory twice.
 class Trainer {
 public:
-  Trainer(TrainedModel& learned, const Schema& schema,
-          const Automaton& automaton, LearningLimits limits)
-      : learned_(learned), schema_(schema), automaton_(automaton),
-        limits_(limits) {
-    learned_.slots_of_.resize(schema.topics().size());
-  }
-
-  // Adds the examples of a topic. Each call takes the next label.
-  Expected<void> add(const TopicModel& topic) {
-    if (topic.examples.empty())
-      return {};
-    learned_.topics_.push_back(schema_.topic(topic.name));
-    learned_.negates_.push_back(false);
-    const auto& slots = schema_.at(learned_.topics_.back()).slots;
-    learned_.takes_any_words_.push_back(std::ranges::any_of(
-        slots, [](const auto& slot) { return slot.entity == words_entity; }));
-    for (const auto& example : topic.examples)
-      if (const auto marked = read_marks(example)) {
-        add(*marked);
-        if (features_ > limits_.features)
-          return fail(ErrorKind::limit,
-                      "the examples are too many to be learnt: there is room "
-                      "for the first " +
-                          std::to_string(texts_.size() - 1) +
-                          "; leave out some, of those that say the same");
-      }
-    return {};
-  }
+  Trainer(TrainedModel& learned, Lessons& lessons, LearningLimits limits)
+      : learned_(learned), lessons_(lessons), limits_(limits) {}
 
   Expected<void> learn(double threshold) {
-    if (learned_.topics_.empty())
+    if (lessons_.labels.empty())
       return {};
-    number_slots();
-    add_nothing();
+    lessons_.number_slots();
+    lessons_.add_nothing();
+    learned_.labels_ = std::move(lessons_.labels);
+    learned_.is_well_taught_ = lessons_.are_many;
     return learn_topics(threshold).and_then([this] { return learn_slots(); });
   }
 
@@ -147,137 +75,53 @@ private:
   // The classifiers are trained on all texts; the calibration is found with
   // further ones.
   Expected<void> learn_topics(double threshold) {
-    const auto labels = static_cast<std::uint32_t>(learned_.topics_.size() + 1);
-    auto classifier = Classifier::train(texts_, labels, limits_.weights);
+    auto& texts = lessons_.texts;
+    const auto labels = static_cast<std::uint32_t>(learned_.labels_.size() + 1);
+    auto classifier = Classifier::train(texts, labels, limits_.weights);
     if (!classifier)
       return fail(ErrorKind::limit,
                   "the examples of " + std::to_string(labels - 1) +
-                      " topics are too many to be learnt; leave out examples, "
-                      "or write one topic for several");
+                      " meanings are too many to be learnt; leave out "
+                      "examples, or write one topic for several");
     learned_.by_words_.classifier = std::move(*classifier);
-    if (learned_.language_.encoder && texts_.size() <= limits_.sentences)
+    if (learned_.language_.encoder && texts.size() <= limits_.sentences)
       learn_sentences(labels);
-    if (texts_.size() >= many_texts)
+    if (lessons_.are_many)
+      learned_.by_words_.certainty = Certainty::of_many();
+    else if (texts.size() >= many_texts)
       settle(labels, threshold);
     // Frees the memory before the tagger needs it.
-    texts_ = {};
+    texts = {};
     return {};
   }
 
   void learn_sentences(std::uint32_t labels) {
-    for (std::size_t at = 0; at < texts_.size(); ++at)
-      texts_[at].features.sentence =
-          learned_.language_.encoder->remember(said_[at]);
+    auto& texts = lessons_.texts;
+    for (std::size_t at = 0; at < texts.size(); ++at)
+      texts[at].features.sentence =
+          learned_.language_.encoder->remember(lessons_.said[at]);
     if (learned_.beside_grammars_)
-      for (const auto& text : texts_)
+      for (const auto& text : texts)
         learned_.nearest_.add(text.features.sentence, text.label);
     auto classifier =
-        Classifier::train(texts_, labels, limits_.weights, Evidence::sentences);
+        Classifier::train(texts, labels, limits_.weights, Evidence::sentences);
     if (classifier)
       learned_.by_sentences_ = {{std::move(*classifier)}};
   }
 
   // A text may only have the slots of its topic.
   Expected<void> learn_slots() {
-    for (std::size_t at = 0; at < tagged_.size(); ++at)
-      tagged_[at].slots = learned_.slots_of_[tagged_topics_[at]];
-    const auto slots = static_cast<std::uint32_t>(learned_.slots_.size());
-    auto tagger = Tagger::train(tagged_, slots, limits_.weights);
+    const auto slots = static_cast<std::uint32_t>(lessons_.slots.size());
+    auto tagger = Tagger::train(lessons_.tagged, slots, limits_.weights);
     if (!tagger)
       return fail(ErrorKind::limit,
                   "the examples of " + std::to_string(slots) +
                       " slots are too many to be learnt; leave out examples, "
                       "or write one slot for several");
     learned_.tagger_ = std::move(*tagger);
+    learned_.slots_ = std::move(lessons_.slots);
+    learned_.slots_of_ = std::move(lessons_.slots_of);
     return {};
-  }
-
-  // An example's text with its values found.
-  struct Read {
-    Read(std::string_view text, const Schema& schema,
-         const Automaton& automaton, const TrainedModel& learned)
-        : utterance(make_utterance(text, automaton)),
-          spans(schema, utterance, automaton.entities, Timestamp{0}),
-          words(learned.words(utterance, spans)) {}
-
-    Utterance utterance;
-    Spans spans;
-    std::vector<LearningWord> words;
-  };
-
-  void add(const MarkedText& marked) {
-    const Read read(marked.text, schema_, automaton_, learned_);
-    if (is_negated_order(read.utterance.tokens, read.utterance.negates))
-      learned_.negates_.back() = true;
-    add(read.words, static_cast<std::uint32_t>(learned_.topics_.size()));
-    features_ += texts_.back().features.features.size();
-    const auto topic = learned_.topics_.back();
-    if (schema_.at(topic).slots.empty())
-      return;
-    tagged_.push_back({word_features(read.words), labels(marked, read), {}});
-    tagged_topics_.push_back(topic);
-    for (const auto& word : tagged_.back().features)
-      features_ += word.size();
-  }
-
-  // Labels the tokens that overlap with a mark.
-  std::vector<TagLabel> labels(const MarkedText& marked, const Read& read) {
-    const auto& tokens = read.utterance.tokens.list;
-    std::vector<TagLabel> made(tokens.size(), outside);
-    for (const auto& mark : marked.marks) {
-      const auto slot = slot_number(mark.slot);
-      bool first = true;
-      for (std::size_t at = 0; at < tokens.size(); ++at) {
-        if (tokens[at].begin >= mark.end || tokens[at].end <= mark.begin)
-          continue;
-        made[at] = first ? begins(slot) : goes_on(slot);
-        first = false;
-      }
-    }
-    return made;
-  }
-
-  // Slots of the same name in several topics are one slot for the tagger.
-  std::uint32_t slot_number(const std::string& slot) {
-    auto& slots = learned_.slots_;
-    const auto found = std::ranges::find(slots, slot);
-    const auto number = static_cast<std::uint32_t>(found - slots.begin());
-    if (found == slots.end())
-      slots.push_back(slot);
-    return number;
-  }
-
-  // Lists for each topic those slots that it has.
-  void number_slots() {
-    for (const auto topic : learned_.topics_)
-      for (std::uint32_t slot = 0; slot < learned_.slots_.size(); ++slot)
-        if (schema_.at(topic).find(learned_.slots_[slot]))
-          learned_.slots_of_[topic].push_back(slot);
-  }
-
-  // Function words and fillers are examples of no topic. Each text has many of
-  // them, so that a few in an utterance do not outweigh its other words.
-  void add_nothing() {
-    std::string text;
-    std::size_t count = 0;
-    for (const auto word : all_function_words()) {
-      text.append(word).append(" ");
-      if (++count % words_of_nothing == 0)
-        add_nothing(std::exchange(text, ""));
-    }
-    for (const auto phrase : filler_phrases())
-      text.append(phrase).append(" ");
-    add_nothing(text);
-  }
-
-  void add_nothing(const std::string& text) {
-    add(Read(text, schema_, automaton_, learned_).words, nothing);
-  }
-
-  void add(const std::vector<LearningWord>& words, std::uint32_t label) {
-    texts_.push_back({text_features(words), label});
-    if (learned_.language_.encoder && said_.size() <= limits_.sentences)
-      said_.push_back(text_of(words));
   }
 
   // Trains classifiers without the texts that are held out. Moves the texts, so
@@ -285,9 +129,9 @@ private:
   void settle(std::uint32_t labels, double threshold) {
     std::vector<LabelledText> learnt;
     std::vector<LabelledText> others;
-    for (auto& text : texts_) {
+    for (auto& text : lessons_.texts) {
       const bool out =
-          held_out(text.features.features) && text.label != nothing;
+          held_out(text.features.features) && text.label != label_of_nothing;
       (out ? others : learnt).push_back(std::move(text));
     }
     const auto certainty = [&](Evidence evidence) {
@@ -306,31 +150,28 @@ private:
   }
 
   TrainedModel& learned_;
-  const Schema& schema_;
-  const Automaton& automaton_;
+  Lessons& lessons_;
   const LearningLimits limits_;
-  std::size_t features_ = 0; // of all examples so far
-  std::vector<LabelledText> texts_;
-  // What the texts are, for the encoder.
-  std::vector<std::string> said_;
-  std::vector<TaggedText> tagged_;
-  std::vector<TopicNumber> tagged_topics_;
 };
 
 Expected<TrainedModel>
 TrainedModel::train(const std::vector<TopicModel>& topics, const Schema& schema,
                     const Automaton& automaton, double threshold,
-                    LearningLimits limits, LanguageKnowledge language) {
+                    LearningLimits limits, LanguageKnowledge language,
+                    FurtherLessons further) {
   TrainedModel learned;
   learned.language_ = std::move(language);
   learned.beside_grammars_ = has_grammars(automaton);
   if (learned.beside_grammars_)
     learned.mostly_known_ = mostly_known;
-  Trainer trainer(learned, schema, automaton, limits);
+  Lessons lessons(schema, automaton, learned.language_.vectors.get(),
+                  limits.features);
   for (const auto& topic : topics)
-    if (auto added = trainer.add(topic); !added)
+    if (auto added = lessons.add(topic); !added)
       return tl::make_unexpected(added.error());
-  if (auto learnt = trainer.learn(threshold); !learnt)
+  if (auto added = lessons.add(further); !added)
+    return tl::make_unexpected(added.error());
+  if (auto learnt = Trainer(learned, lessons, limits).learn(threshold); !learnt)
     return tl::make_unexpected(learnt.error());
   return learned;
 }
@@ -366,9 +207,10 @@ TrainedModel::topics(const std::vector<LearningWord>& words) const {
   const auto probabilities =
       this->probabilities(reading, words, std::move(features));
   std::vector<TopicHypothesis> made;
-  for (std::size_t at = 0; at < topics_.size(); ++at)
-    if (!is_mostly_new || takes_any_words_[at])
-      made.push_back({topics_[at], probabilities[at + 1], negates_[at]});
+  for (std::size_t at = 0; at < labels_.size(); ++at)
+    if (const auto& label = labels_[at];
+        label.topic != no_topic && (!is_mostly_new || label.takes_any_words))
+      made.push_back({label.topic, probabilities[at + 1], &label});
   std::ranges::stable_sort(made, std::greater(), &TopicHypothesis::probability);
   return made;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "adapters/nlu/encoder/nearest_sentences.hpp"
@@ -15,6 +16,7 @@
 #include "adapters/nlu/learning/tagger.hpp"
 #include "adapters/nlu/parse/spans.hpp"
 #include "adapters/nlu/understand/language_knowledge.hpp"
+#include "adapters/nlu/understand/lessons.hpp"
 #include "adapters/nlu/values/schema.hpp"
 
 namespace parlour::adapters::nlu {
@@ -22,9 +24,8 @@ namespace parlour::adapters::nlu {
 struct TopicHypothesis {
   TopicNumber topic = no_topic;
   double probability = 0;
-  // Whether some of its examples are negated orders, so that one is no refusal:
-  // "do not disturb me".
-  bool negates = false;
+  // What else it means; of the model.
+  const LessonLabel* label = nullptr;
 };
 
 struct SlotHypothesis {
@@ -57,17 +58,18 @@ public:
   static Expected<TrainedModel>
   train(const std::vector<TopicModel>& topics, const Schema& schema,
         const Automaton& automaton, double threshold,
-        LearningLimits limits = {}, LanguageKnowledge language = {});
+        LearningLimits limits = {}, LanguageKnowledge language = {},
+        FurtherLessons further = {});
 
   // The words of an utterance as the model sees them: those of a known value
   // have its kind. They refer to the utterance and the model.
   std::vector<LearningWord> words(const Utterance& utterance,
                                   const Spans& spans) const;
 
-  // The topics with examples, the most likely first. What is missing to 1 is
-  // the probability that the utterance is about none of them. Empty if examples
-  // have hardly any of the words: then only the frequency of the topics would
-  // speak.
+  // The topics with examples, and what wordings mean of them, the most likely
+  // first. What is missing to 1 is the probability that the utterance is about
+  // none of them. Empty if examples have hardly any of the words: then only the
+  // frequency of the topics would speak.
   std::vector<TopicHypothesis>
   topics(const std::vector<LearningWord>& words) const;
 
@@ -78,7 +80,12 @@ public:
         const std::vector<std::vector<Feature>>& features) const;
 
   bool empty() const {
-    return topics_.empty();
+    return labels_.empty();
+  }
+  // Whether it was taught by many wordings, and by talk about something else:
+  // then it may know better than a doubtful reading of the grammars.
+  bool is_well_taught() const {
+    return is_well_taught_;
   }
   // Whether the application has grammars, so that examples are not all that it
   // understands by.
@@ -99,12 +106,7 @@ private:
                                    const std::vector<LearningWord>& words,
                                    TextFeatures features) const;
 
-  // The topic of each label from 1 on; label 0 means no topic.
-  std::vector<TopicNumber> topics_;
-  // By label - 1: whether examples are negated orders.
-  std::vector<bool> negates_;
-  // By label - 1: whether a slot takes any words.
-  std::vector<bool> takes_any_words_;
+  std::vector<LessonLabel> labels_;
   std::vector<std::string> slots_;
   // By topic: its slots, as numbers of the tagger.
   std::vector<std::vector<std::uint32_t>> slots_of_;
@@ -123,6 +125,7 @@ private:
   // both, the topic that is least unlikely tells nothing.
   float mostly_known_ = 0;
   bool beside_grammars_ = false;
+  bool is_well_taught_ = false;
 };
 
 } // namespace parlour::adapters::nlu

@@ -83,5 +83,53 @@ TEST_F(ExampleFile, MissesTheFile) {
   EXPECT_THAT(wrong[0].message, HasSubstr("this is a folder, not a file"));
 }
 
+class WordingFile : public ExampleFile {
+protected:
+  // What is wrong with a file of this text.
+  std::vector<std::string> read(const std::string& text) {
+    folder_.write("wordings.tsv", text);
+    std::vector<std::string> wrong;
+    for (const auto& error :
+         read_wording_file(folder_.path() / "wordings.tsv", model_, wordings_))
+      wrong.push_back(std::to_string(error.place.line) + ':' +
+                      std::to_string(error.place.column) + ": " +
+                      error.message);
+    return wrong;
+  }
+
+  std::vector<Wording> wordings_;
+};
+
+TEST_F(WordingFile, HasConstantsBehindTheTopic) {
+  model_.topics[0].slots.push_back({"Floor", "", {}, "", false, false});
+  EXPECT_THAT(read("# of the desk\n"
+                   "Weather\twill I get wet\n"
+                   "Visit Host=\"Ada King\"  Floor=3\tthe [boss](Host)\r\n"),
+              IsEmpty());
+  const Wording plain{"Weather", {}, "will I get wet"};
+  const Wording full{
+      "Visit",
+      {{"Floor", Value(std::int64_t{3})}, {"Host", Value("Ada King")}},
+      "the [boss](Host)"};
+  EXPECT_THAT(wordings_, ElementsAre(plain, full));
+  EXPECT_THAT(model_.topics[0].examples, IsEmpty());
+}
+
+TEST_F(WordingFile, TellsWhatIsWrongAndWhere) {
+  const std::string written =
+      "a slot's value is written Slot=value or Slot=\"some value\"";
+  EXPECT_THAT(
+      read("Visit Hots=Ada\tto see her\n"
+           "Visit Host\tto see her\n"
+           "Visit Host=\tto see her\n"
+           "Visit Host=\"Ada\tto see her\"\n"
+           "Wether Host=Ada\tis it hot\n"),
+      ElementsAre("1:7: the topic 'Visit' has no slot 'Hots', did you mean "
+                  "'Host'?",
+                  "2:7: " + written, "3:7: " + written, "4:7: " + written,
+                  "5:1: there is no topic 'Wether', did you mean 'Weather'?"));
+  EXPECT_THAT(wordings_, IsEmpty());
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

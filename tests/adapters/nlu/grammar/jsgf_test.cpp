@@ -91,6 +91,12 @@ TEST(Jsgf, GoesOnAfterAnError) {
   EXPECT_EQ(grammar.rules.back().name, "c");
 }
 
+TEST(Jsgf, ALiteralIsABooleanANumberOrAText) {
+  EXPECT_EQ(literal("true"), Value(true));
+  EXPECT_EQ(literal("12"), Value(std::int64_t{12}));
+  EXPECT_EQ(literal("swimming pool"), Value("swimming pool"));
+}
+
 TEST(Jsgf, IsNotOverwhelmedByGroups) {
   EXPECT_NE(first_error("<a> = " + std::string(100'000, '(')), "");
 }

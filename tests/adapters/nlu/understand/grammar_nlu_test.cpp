@@ -109,6 +109,21 @@ TEST_F(GrammarNLU, LearnsExamplesOfAFile) {
   EXPECT_EQ(host_.events[0].params[0]["topic"].text(), "Taxi");
 }
 
+TEST_F(GrammarNLU, LearnsWordingsOfAFile) {
+  const parlour::test::TemporaryFolder folder;
+  host_.application = folder.path().string();
+  folder.write("heard.tsv", "Taxi Time=noon\tI want to be driven\n");
+  ASSERT_TRUE(start({{"platform", platform_}, {"wordings", "heard.tsv"}}));
+  plugin_->receive(parlour::test::message("DoNLU", {"I want to be driven"}));
+  ASSERT_EQ(host_.events.size(), 1U);
+  EXPECT_EQ(host_.events[0].params[0]["topic"].text(), "Taxi");
+  folder.write("heard.tsv", "Taxi Tim=noon\tI want to be driven\n");
+  EXPECT_THAT(start({{"platform", platform_}, {"wordings", "heard.tsv"}})
+                  .error()
+                  .message,
+              testing::HasSubstr("the topic 'Taxi' has no slot 'Tim'"));
+}
+
 // New values make a new engine of what was read at the start, whatever is being
 // edited meanwhile.
 TEST_F(GrammarNLU, ReadsItsFilesOnce) {

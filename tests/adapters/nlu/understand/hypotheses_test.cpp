@@ -1,76 +1,16 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
 #include "adapters/nlu/understand/hypotheses.hpp"
 #include "tests/adapters/nlu/stages.hpp"
 
 namespace parlour::adapters::nlu::test {
 namespace {
 
-BuiltAct act(TopicNumber topic, double score, bool elliptical = false) {
-  BuiltAct made;
-  made.act = "inform";
-  made.topic = topic;
-  made.score = score;
-  made.elliptical = elliptical;
-  return made;
-}
-
-Fill fill(const std::string& slot, std::uint32_t begin, std::uint32_t end) {
-  return {slot, 0, {}, {}, begin, end};
-}
-
-const Schema& schema() {
-  static std::vector<Error> errors;
-  static const Schema made(sample_model(), sample_column, errors);
-  return made;
-}
-
-TEST(Guesses, TakeThePlaceOfNothing) {
-  std::vector<BuiltAct> acts;
-  EXPECT_TRUE(leaves_open(acts));
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.5), schema(), {}));
-  EXPECT_EQ(acts.size(), 1U);
-}
-
-TEST(Guesses, TakeThePlaceOfAValueOfAnotherTopic) {
-  std::vector<BuiltAct> acts{act(1, 0.5, true)};
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.6), schema(), {}));
-  EXPECT_EQ(acts[0].topic, 0U);
-}
-
-TEST(Guesses, MakeASentenceOfAValue) {
-  std::vector<BuiltAct> acts{act(0, 0.5, true)};
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.9), schema(), {}));
-  EXPECT_FALSE(acts[0].elliptical);
-  EXPECT_EQ(acts[0].score, 0.9);
-}
-
-TEST(Guesses, LeaveAValueToTheTopicThatIsGoingOn) {
-  Context context;
-  context.current = 0;
-  std::vector<BuiltAct> acts{act(0, 0.7, true)};
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), schema(), context));
-  EXPECT_TRUE(acts[0].elliptical);
-}
-
-TEST(Guesses, DoNotTakeThePlaceOfASentence) {
-  std::vector<BuiltAct> acts{act(1, 0.5)};
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), schema(), {}));
-  EXPECT_EQ(acts[0].topic, 1U);
-  EXPECT_FALSE(leaves_open({act(1, 0.95)}));
-}
-
-TEST(Guesses, AddWhatWasNotFoundYet) {
-  std::vector<BuiltAct> acts{act(0, 0.5)};
-  acts[0].fills = {fill("Host", 3, 5)};
-  auto hypothesis = act(0, 0.9);
-  hypothesis.fills = {fill("Visitor", 4, 6), fill("Host", 0, 1),
-                      fill("Firm", 6, 7)};
-  EXPECT_FALSE(prefer_better(acts, hypothesis, schema(), {}));
-  ASSERT_EQ(acts[0].fills.size(), 2U);
-  EXPECT_EQ(acts[0].fills[1].slot, "Firm");
-}
-
 // "do not disturb me" is an order, whatever the topic is that is spoken of.
-TEST(Guesses, RefuseNothingThatTheLikeliestTopicIsAbout) {
+TEST(Hypotheses, RefuseNothingThatTheLikeliestTopicIsAbout) {
   Stages stages("public <x> = @time;", "do not disturb me");
   auto topics = sample_model().topics;
   for (auto& topic : topics)
@@ -92,7 +32,7 @@ TEST(Guesses, RefuseNothingThatTheLikeliestTopicIsAbout) {
 }
 
 // The tagger would have it that the words behind "meeting with" are the firm.
-TEST(Guesses, LeaveAValueToItsOwnSlot) {
+TEST(Hypotheses, LeaveAValueToItsOwnSlot) {
   Stages stages("public <x> = @Appointment.Host;", "a meeting with Priya Nair");
   auto topics = sample_model().topics;
   topics[0].examples = {"a meeting with [Comptec](Organisation)",
@@ -107,7 +47,7 @@ TEST(Guesses, LeaveAValueToItsOwnSlot) {
   EXPECT_EQ(hypotheses[0].fills[0].slot, "Host");
 }
 
-TEST(Guesses, HaveSlotsOfTheirTopic) {
+TEST(Hypotheses, HaveSlotsOfTheirTopic) {
   Stages stages("public <x> = @Appointment.Host | @time;",
                 "a meeting with Priya Nair at ten o'clock");
   auto topics = sample_model().topics;
@@ -122,6 +62,138 @@ TEST(Guesses, HaveSlotsOfTheirTopic) {
   ASSERT_EQ(hypotheses[0].fills.size(), 2U);
   EXPECT_EQ(hypotheses[0].fills[0].slot, "Host");
   EXPECT_EQ(hypotheses[0].fills[1].slot, "Time");
+}
+
+// Topics that are known by their examples only, said in other words.
+NluEngine learnt() {
+  UnderstandingModel model;
+  model.topics = {
+      {"Taxi",
+       false,
+       {{"Destination", "", {}, "", true, false},
+        {"Time", "time", {}, "", true, false}},
+       {"please book a taxi to [Changi Airport](Destination)",
+        "I need a cab to [Sentosa](Destination) at [9:00](Time)",
+        "order a taxi for [noon](Time)"}},
+      {"Weather", true, {}, {"will it rain", "how is the weather outside"}}};
+  auto built = NluEngine::build(model, {}, {0.4, {}});
+  if (!built)
+    throw std::runtime_error(to_string(built.error().front()));
+  return std::move(*built);
+}
+
+TEST(LearntTopics, AreUnderstoodInOtherWords) {
+  const auto engine = learnt();
+  EXPECT_EQ(summary(engine.understand("is the weather any good").acts),
+            "request Weather");
+  EXPECT_EQ(summary(engine.understand("order the cab for noon").acts),
+            "inform Taxi Time=12:00");
+  EXPECT_TRUE(engine.understand("who won the match").acts.empty());
+}
+
+TEST(LearntTopics, AreNotTriedBesideAQuestionsGrammar) {
+  const auto engine = learnt();
+  for (const auto* text : {"is the weather any good", "order the cab for noon",
+                           "I need a cab to Sentosa at 9:00", "noon"})
+    EXPECT_TRUE(
+        engine.understand(text, Value(Map{{"grammar", "size"}})).acts.empty())
+        << text;
+}
+
+TEST(LearntTopics, SayWhatTheyWereLearntAs) {
+  const auto lines =
+      learnt().understand("order the cab for noon", {}, true).explanation;
+  EXPECT_TRUE(std::ranges::any_of(lines, [](const auto& line) {
+    return line.starts_with("learnt 0.") || line.starts_with("learnt 1.");
+  }));
+}
+
+// Thousands of examples are no rules, but their slots are looked at.
+TEST(LearntTopics, MayHaveManyExamples) {
+  UnderstandingModel model;
+  model.topics = {{"Taxi", false, {}, {}}, {"Weather", true, {}, {}}};
+  model.topics[0].examples.assign(400, "book a taxi for me");
+  model.topics[1].examples.assign(400, "how is the weather");
+  const auto built = NluEngine::build(model, {}, {0.4, {}});
+  ASSERT_TRUE(built);
+  const auto made = built->understand("book a taxi for us");
+  EXPECT_EQ(summary(made.acts), "inform Taxi");
+  EXPECT_EQ(made.work, 0U);
+  model.topics[1].examples[0] = "how is it in [Changi](Place)";
+  const auto failed = NluEngine::build(model, {}, {0.4, {}});
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().size(), 1U);
+}
+
+// An engine of another time of the same application, whose columns had other
+// values: what it has learnt is not learnt again.
+TEST(LearntTopics, AreTakenOver) {
+  const auto taught = learnt();
+  UnderstandingModel model;
+  model.topics = {{"Taxi",
+                   false,
+                   {{"Destination", "", {}, "", true, false},
+                    {"Time", "time", {}, "", true, false}},
+                   {}},
+                  {"Weather", true, {}, {}}};
+  const auto built = NluEngine::build(model, {}, {0.4, {}}, &taught);
+  ASSERT_TRUE(built);
+  EXPECT_EQ(summary(built->understand("is the weather any good").acts),
+            "request Weather");
+}
+
+// Three hundred wordings of two meanings and a few sentences about nothing,
+// beside the sample's grammar.
+NluEngine well_taught() {
+  const std::vector<std::string> swims{
+      "somewhere to swim",   "do some lengths", "take a dip",
+      "a swim before lunch", "splash about",    "go swimming"};
+  const std::vector<std::string> asks{"need", "want", "would like", "fancy",
+                                      "was hoping for"};
+  NluEngine::Options options{0.4, {}};
+  for (int person = 0; person < 10; ++person)
+    for (const auto& ask : asks) {
+      for (const auto& swim : swims)
+        options.wordings.push_back({"Facility",
+                                    {{"Category", Value("bank")}},
+                                    "I " + ask + " " + swim});
+      options.wordings.push_back(
+          {"Appointment", {}, "I " + ask + " a word with [Priya Nair](Host)"});
+    }
+  options.other_talk = {"who won the match", "what is love",
+                        "the capital of France", "how do I fry an egg"};
+  auto built = NluEngine::build(sample_model(), sample_column, options);
+  if (!built)
+    throw std::runtime_error(to_string(built.error().front()));
+  return std::move(*built);
+}
+
+TEST(Wordings, FillSlotsWithoutTheirValues) {
+  const auto engine = well_taught();
+  EXPECT_EQ(summary(engine.understand("I really fancy a swim").acts),
+            "request Facility Category=bank");
+  EXPECT_TRUE(engine.understand("how do I fry a fish").acts.empty());
+  EXPECT_TRUE(engine.understand("xyzzy plugh").acts.empty());
+}
+
+TEST(Wordings, MeanNothingWithoutTheValuesThatAllOfThemSay) {
+  const auto engine = well_taught();
+  EXPECT_EQ(
+      summary(
+          engine.understand("I was hoping for a word with Priya Nair").acts),
+      "inform Appointment Host=Priya Nair");
+  EXPECT_FALSE(summary(engine.understand("I was hoping for a word").acts)
+                   .starts_with("inform Appointment"));
+}
+
+// A yes or no is waited for: more is needed to do something else.
+TEST(Wordings, AreDoubtedBesideAYes) {
+  const auto engine = well_taught();
+  const auto* text = "hoping that you would";
+  EXPECT_FALSE(engine.understand(text).acts.empty());
+  EXPECT_TRUE(
+      engine.understand(text, Value(Map{{"confirms", "shall I book it"}}))
+          .acts.empty());
 }
 
 } // namespace

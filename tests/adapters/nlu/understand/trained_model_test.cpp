@@ -148,7 +148,7 @@ TEST(TrainedModel, SaysWhatIsTooMuchToLearn) {
   std::set<std::string> all;
   for (std::size_t weights = 1000; weights < 100'000; weights += weights / 4)
     all.insert(failure({1 << 20, weights}));
-  EXPECT_THAT(all, UnorderedElementsAre("", HasSubstr("of 3 topics are too"),
+  EXPECT_THAT(all, UnorderedElementsAre("", HasSubstr("of 3 meanings are too"),
                                         HasSubstr("of 6 slots are too")));
 }
 

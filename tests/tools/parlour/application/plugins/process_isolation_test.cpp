@@ -64,9 +64,10 @@ TEST_F(HostingTest, RunsThePluginOfAFileOutside) {
 // a database in memory, a telephone with a record.
 TEST_F(HostingTest, TableOneIsTheSameOutOfProcess) {
   copy("receptionist");
+  change("settings.xml", R"(<component name="GrammarNLU")",
+         R"(<component name="GrammarNLU" host="process")");
   change("settings.xml", R"(<component name="SQLiteDatabase")",
-         R"(<component name="GrammarNLU" host="process"/>
-            <component name="PhraseNLG" host="process"/>
+         R"(<component name="PhraseNLG" host="process"/>
             <component name="LogTelephone" host="process"/>
             <component name="SQLiteDatabase" host="process")");
   const auto application = load_changed();
@@ -77,9 +78,10 @@ TEST_F(HostingTest, TableOneIsTheSameOutOfProcess) {
 
 TEST_F(HostingTest, TableOneIsTheSameWithComponentsOfItsOwn) {
   copy("receptionist");
+  change("settings.xml", R"(<component name="GrammarNLU")",
+         R"(<component name="GrammarNLU" scope="session")");
   change("settings.xml", R"(<component name="SQLiteDatabase")",
-         R"(<component name="GrammarNLU" scope="session"/>
-            <component name="PhraseNLG" scope="seat"/>
+         R"(<component name="PhraseNLG" scope="seat"/>
             <component name="LogTelephone" scope="session"/>
             <component name="SQLiteDatabase")");
   const auto application = load_changed();

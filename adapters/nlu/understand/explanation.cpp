@@ -54,9 +54,13 @@ Explanation::learnt(const TrainedModel& learned) const {
   if (hypotheses.empty())
     return {"learnt nothing of these words"};
   std::string line = "learnt";
-  for (std::size_t at = 0; at < hypotheses.size() && at < max_hypotheses; ++at)
-    line += " " + two_digits(hypotheses[at].probability) + " " +
-            topic(hypotheses[at].topic);
+  for (std::size_t at = 0; at < hypotheses.size() && at < max_hypotheses;
+       ++at) {
+    const auto& [number, probability, label] = hypotheses[at];
+    line += " " + two_digits(probability) + " " + topic(number);
+    for (const auto& [slot, value] : label->constants)
+      line += "{" + slot + "=" + to_string(value) + "}";
+  }
   for (const auto& slot :
        learned.slots(hypotheses[0].topic, word_features(words)))
     line += " " + slot.slot + "=\"" +

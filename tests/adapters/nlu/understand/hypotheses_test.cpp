@@ -176,6 +176,15 @@ TEST(Wordings, FillSlotsWithoutTheirValues) {
   EXPECT_TRUE(engine.understand("xyzzy plugh").acts.empty());
 }
 
+TEST(Wordings, AreExplainedWithWhatTheyFill) {
+  const auto lines =
+      well_taught().understand("I really fancy a swim", {}, true).explanation;
+  EXPECT_TRUE(std::ranges::any_of(lines, [](const auto& line) {
+    return line.starts_with("learnt ") &&
+           line.find(" Facility{Category=bank}") != std::string::npos;
+  }));
+}
+
 TEST(Wordings, MeanNothingWithoutTheValuesThatAllOfThemSay) {
   const auto engine = well_taught();
   EXPECT_EQ(

@@ -26,14 +26,14 @@ bool is_control(char letter) {
 // each line. A carriage return before a line feed ends no line of its own.
 TextPositions::TextPositions(std::string_view text, std::uint16_t file)
     : text_(text), file_(file), is_ascii_(is_ascii(text)), starts_{0} {
-  constexpr auto npos = std::string_view::npos;
   for (std::size_t begin = 0; begin < text.size(); begin = starts_.back()) {
     const auto feed = text.find('\n', begin);
     const auto line = text.substr(begin, feed - begin);
-    for (auto at = line.find('\r'); at != npos; at = line.find('\r', at + 1))
-      if (at + 1 < line.size() || feed == npos)
+    for (auto at = line.find('\r'); at != std::string_view::npos;
+         at = line.find('\r', at + 1))
+      if (at + 1 < line.size() || feed == std::string_view::npos)
         starts_.push_back(begin + at + 1);
-    if (feed == npos)
+    if (feed == std::string_view::npos)
       break;
     starts_.push_back(feed + 1);
   }

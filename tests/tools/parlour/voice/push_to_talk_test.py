@@ -19,10 +19,10 @@ class PushToTalkTest(VoiceCase):
 
     def setUp(self):
         super().setUp()
-        asked = self.silence(3) + self.speech("please open the window")
+        self.asked = self.silence(3) + self.speech("please open the window")
         # Whoever is not ready for the first takes the next.
         self.heard = self.write_sound(
-            "heard.wav", asked * 4 + self.silence(3))
+            "heard.wav", self.asked * 4 + self.silence(3))
         self.arguments = (
             "run", self.desk(pace=PACE), "--voice",
             "--microphone", str(self.heard),
@@ -82,6 +82,8 @@ class PushToTalkTest(VoiceCase):
         self.assertEqual(out, ["Hello."])
 
     def test_a_key_of_the_terminal(self):
+        # The sound ends the conversation, too: not before Ctrl-C does.
+        self.write_sound("heard.wav", self.asked * 4 + self.silence(120))
         screen = self.on_terminal(*self.arguments, "--push-to-talk")
         shown = self.held_while_something_is_said(
             self.lines(screen), lambda _: screen.write(b" "))

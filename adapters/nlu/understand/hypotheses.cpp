@@ -222,10 +222,12 @@ BuiltAct refusal(const Utterance& utterance, double score) {
 void add_constants(
     BuiltAct& act,
     const std::vector<std::pair<std::string, Value>>& constants) {
-  for (const auto& [slot, value] : constants) {
-    std::erase_if(act.fills,
-                  [&](const Fill& fill) { return fill.slot == slot; });
-    act.fills.push_back({slot, act.topic, {}, value, act.begin, act.end});
+  for (const auto& constant : constants) {
+    std::erase_if(act.fills, [&](const Fill& fill) {
+      return fill.slot == constant.first;
+    });
+    act.fills.push_back(
+        {constant.first, act.topic, {}, constant.second, act.begin, act.end});
   }
 }
 

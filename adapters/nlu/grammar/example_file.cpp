@@ -1,7 +1,6 @@
 #include "adapters/nlu/grammar/example_file.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -31,20 +30,15 @@ bool is_blank(std::string_view text) {
 
 using Constants = decltype(Wording::constants);
 
-// A line; a topic is its number in the model.
-struct Labelled {
-  std::size_t topic = 0;
-  Wording wording;
-};
-
-// `place_.line` is the current line, from 1.
-class LineReader {
+// `place_.line` is the current line, from 1. An example is a wording without
+// constants.
+class WordingReader {
 public:
   // Without constants, a line that has some has no known topic.
-  LineReader(std::string file, const UnderstandingModel& model,
-             bool takes_constants, std::function<void(Labelled)> take)
+  WordingReader(std::string file, const UnderstandingModel& model,
+                bool takes_constants, std::vector<Wording>& read)
       : place_{std::move(file), 0, 0}, model_(model),
-        takes_constants_(takes_constants), take_(std::move(take)) {}
+        takes_constants_(takes_constants), read_(read) {}
 
   std::vector<Error> run(std::istream& in) {
     for (std::string line;
@@ -63,7 +57,7 @@ public:
   }
 
 private:
-  // Checks one line and passes it on.
+  // Checks one line and adds its wording.
   void read(const std::string& line) {
     if (const auto invalid = find_invalid_utf8(line))
       return wrong(line, *invalid, "this is not UTF-8; save the file as UTF-8");
@@ -83,8 +77,7 @@ private:
     auto constants = read_constants(line, end, tab, *topic);
     check_text(line, tab + 1, *topic);
     if (errors_.size() == before)
-      take_({static_cast<std::size_t>(topic - model_.topics.begin()),
-             {name, std::move(constants), line.substr(tab + 1)}});
+      read_.push_back({name, std::move(constants), line.substr(tab + 1)});
   }
 
   // Slot=value or Slot="some value", with blanks before each, in [at, end).
@@ -161,19 +154,19 @@ private:
   SourceLocation place_;
   const UnderstandingModel& model_;
   const bool takes_constants_;
-  const std::function<void(Labelled)> take_;
+  std::vector<Wording>& read_;
   std::vector<Error> errors_;
 };
 
 std::vector<Error> read_lines(const std::filesystem::path& path,
                               const UnderstandingModel& model,
                               bool takes_constants,
-                              std::function<void(Labelled)> take) {
+                              std::vector<Wording>& wordings) {
   auto text = read_file(path, max_example_file_bytes);
   if (!text)
     return {std::move(text.error())};
   std::istringstream lines(std::move(*text));
-  return LineReader(path.string(), model, takes_constants, std::move(take))
+  return WordingReader(path.string(), model, takes_constants, wordings)
       .run(lines);
 }
 
@@ -181,17 +174,18 @@ std::vector<Error> read_lines(const std::filesystem::path& path,
 
 std::vector<Error> add_example_file(const std::filesystem::path& path,
                                     UnderstandingModel& model) {
-  return read_lines(path, model, false, [&](Labelled line) {
-    model.topics[line.topic].examples.push_back(std::move(line.wording.text));
-  });
+  std::vector<Wording> read;
+  auto errors = read_lines(path, model, false, read);
+  for (auto& example : read)
+    std::ranges::find(model.topics, example.topic, &TopicModel::name)
+        ->examples.push_back(std::move(example.text));
+  return errors;
 }
 
 std::vector<Error> read_wording_file(const std::filesystem::path& path,
                                      const UnderstandingModel& model,
                                      std::vector<Wording>& wordings) {
-  return read_lines(path, model, true, [&](Labelled line) {
-    wordings.push_back(std::move(line.wording));
-  });
+  return read_lines(path, model, true, wordings);
 }
 
 } // namespace parlour::adapters::nlu

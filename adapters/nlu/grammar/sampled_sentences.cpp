@@ -5,7 +5,7 @@
 #include "adapters/nlu/grammar/sampled_sentences.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <charconv>
 #include <set>
 
 #include "adapters/nlu/text/hash.hpp"
@@ -123,7 +123,7 @@ void Walker::take(const Step& step) {
     made_.words.emplace_back(words_[symbol]);
   } else if (symbol == asked_entity) {
     is_unusable_ = true;
-  } else if (is_form(symbol) || is_set(symbol)) {
+  } else if (has_known_values(symbol)) {
     made_.words.push_back(value_word(symbol));
     std::ranges::fill(open_slots_, symbol);
   } else {
@@ -201,6 +201,14 @@ TopicNumber Walker::only_topic() const {
 
 std::string value_word(EntityId entity) {
   return '@' + std::to_string(entity);
+}
+
+std::optional<EntityId> kind_of_word(std::string_view word) {
+  if (!word.starts_with('@'))
+    return {};
+  EntityId entity = 0;
+  std::from_chars(word.data() + 1, word.data() + word.size(), entity);
+  return entity;
 }
 
 std::vector<SampledSentence> sample_sentences(const Automaton& automaton,

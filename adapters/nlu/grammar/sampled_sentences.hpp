@@ -3,7 +3,9 @@
 // in other words than a rule has (understanding/likeness.hpp).
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,8 @@ namespace parlour::adapters::nlu {
 
 // What stands for a value of this kind: "@7".
 std::string value_word(EntityId entity);
+// Its kind; nothing for any other word.
+std::optional<EntityId> kind_of_word(std::string_view word);
 
 // What a sentence means, apart from the values that are said in it.
 struct SentenceMeaning {

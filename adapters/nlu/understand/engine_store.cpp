@@ -12,7 +12,8 @@ EngineStore::EngineStore(std::size_t capacity) : capacity_(capacity) {}
 // No lock is held while columns are read and while an engine is built: both
 // call what is not ours, and take long.
 tl::expected<NluEngine, std::vector<Error>>
-EngineStore::get(const UnderstandingModel& model, NluEngine::Options options,
+EngineStore::get(const UnderstandingModel& model,
+                 const NluEngine::Options& options,
                  const ColumnReader& columns) {
   KnownColumns once; // whoever asks for a column, it is read once
   const auto values_of = [&](const std::string& name) {
@@ -44,7 +45,7 @@ EngineStore::get(const UnderstandingModel& model, NluEngine::Options options,
       options, taught ? &taught->engine : nullptr);
   if (built)
     keep(std::make_shared<const Kept>(
-        Kept{model, std::move(options), std::move(read), *built}));
+        Kept{model, options, std::move(read), *built}));
   return built;
 }
 

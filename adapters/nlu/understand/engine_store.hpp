@@ -27,7 +27,7 @@ public:
   // The same as NluEngine::build. Columns are read in any case, since an engine
   // knows the values that they had when it was built.
   tl::expected<NluEngine, std::vector<Error>>
-  get(const UnderstandingModel& model, NluEngine::Options options,
+  get(const UnderstandingModel& model, const NluEngine::Options& options,
       const ColumnReader& columns);
 
 private:

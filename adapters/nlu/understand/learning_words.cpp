@@ -11,9 +11,8 @@ namespace {
 // Words that only sound or look like one are no evidence: in "how can I root a
 // phone", nobody is called Ruth.
 bool is_certain(const Span& span) {
-  return (is_form(span.entity) || is_set(span.entity)) && !span.weak &&
-         !span.unmatched && span.confidence >= guessed_value &&
-         span.begin == span.core;
+  return has_known_values(span.entity) && !span.weak && !span.unmatched &&
+         span.confidence >= guessed_value && span.begin == span.core;
 }
 
 } // namespace

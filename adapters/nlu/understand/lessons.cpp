@@ -1,7 +1,6 @@
 #include "adapters/nlu/understand/lessons.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "adapters/nlu/text/negation.hpp"
@@ -26,22 +25,32 @@ bool have_equal_meaning(const LessonLabel& one, const LessonLabel& other) {
          one.needs == other.needs;
 }
 
+using Constants = decltype(LessonLabel::constants);
+
+LessonLabel meaning_of(TopicNumber topic, const Constants& constants,
+                       const std::set<std::string>& said) {
+  return {topic, constants, {said.begin(), said.end()}};
+}
+
 LessonLabel meaning_of(const SampledSentence& sentence) {
   std::set<std::string> said;
   for (const auto& [slot, entity] : sentence.values)
     said.insert(slot);
-  return {sentence.meaning.topic,
-          sentence.meaning.literals,
-          {said.begin(), said.end()}};
+  return meaning_of(sentence.meaning.topic, sentence.meaning.literals, said);
 }
 
-// A word of a sampled sentence: "@7" is a value of kind 7.
+LessonLabel meaning_of(TopicNumber topic, const Constants& constants,
+                       const MarkedText& marked) {
+  std::set<std::string> said;
+  for (const auto& mark : marked.marks)
+    said.insert(mark.slot);
+  return meaning_of(topic, constants, said);
+}
+
 LearningWord learning_word(const std::string& word) {
-  if (!word.starts_with('@'))
-    return {word};
-  EntityId entity = 0;
-  std::from_chars(word.data() + 1, word.data() + word.size(), entity);
-  return {{}, entity + 1};
+  if (const auto entity = kind_of_word(word))
+    return {{}, *entity + 1};
+  return {word};
 }
 
 bool overlap(const Token& token, const MarkedText::Mark& mark) {
@@ -75,26 +84,22 @@ Lessons::Lessons(const Schema& schema, const Automaton& automaton,
       vectors_(vectors), max_features_(max_features) {}
 
 Expected<void> Lessons::add(const TopicModel& topic) {
+  const LessonLabel meaning{schema_.topic(topic.name), {}, {}};
   for (const auto& example : topic.examples)
-    if (auto added = add({schema_.topic(topic.name), {}, {}}, example, false);
-        !added)
-      return added;
+    if (const auto marked = read_marks(example))
+      if (auto added = add(meaning, *marked, false); !added)
+        return added;
   return {};
 }
 
 Expected<void> Lessons::add(const FurtherLessons& further) {
-  for (const auto& wording : further.wordings) {
-    std::set<std::string> said;
+  for (const auto& wording : further.wordings)
     if (const auto marked = read_marks(wording.text))
-      for (const auto& mark : marked->marks)
-        said.insert(mark.slot);
-    if (auto added = add({schema_.topic(wording.topic),
-                          wording.constants,
-                          {said.begin(), said.end()}},
-                         wording.text, true);
-        !added)
-      return added;
-  }
+      if (auto added = add(meaning_of(schema_.topic(wording.topic),
+                                      wording.constants, *marked),
+                           *marked, true);
+          !added)
+        return added;
   are_many = further.wordings.size() >= many_wordings;
   if (!are_many)
     return {};
@@ -104,23 +109,9 @@ Expected<void> Lessons::add(const FurtherLessons& further) {
   return {};
 }
 
-Expected<void> Lessons::add(LessonLabel meaning, const std::string& text,
-                            bool is_wording) {
-  const auto marked = read_marks(text);
-  if (!marked)
-    return {};
-  add(label_of(std::move(meaning)), *marked, is_wording);
-  if (features_ <= max_features_)
-    return {};
-  return fail(ErrorKind::limit,
-              "the examples are too many to be learnt: there is room for the "
-              "first " +
-                  std::to_string(texts.size() - 1) +
-                  "; leave out some, of those that say the same");
-}
-
-void Lessons::add(std::uint32_t number, const MarkedText& marked,
-                  bool is_wording) {
+Expected<void> Lessons::add(const LessonLabel& meaning,
+                            const MarkedText& marked, bool is_wording) {
+  const auto number = label_of(meaning);
   Read read(marked.text, *this);
   auto& label = labels[number - 1];
   if (is_negated_order(read.utterance.tokens, read.utterance.negates))
@@ -132,12 +123,19 @@ void Lessons::add(std::uint32_t number, const MarkedText& marked,
       read.mark(mark, slot->entity);
   add(read.words, number);
   features_ += texts.back().features.features.size();
-  if (topic.slots.empty() || (is_wording && marked.marks.empty()))
-    return;
-  tagged.push_back({word_features(read.words), tags(marked, read), {}});
-  tagged_topics_.push_back(label.topic);
-  for (const auto& word : tagged.back().features)
-    features_ += word.size();
+  if (!topic.slots.empty() && !(is_wording && marked.marks.empty())) {
+    tagged.push_back({word_features(read.words), tags(marked, read), {}});
+    tagged_topics_.push_back(label.topic);
+    for (const auto& word : tagged.back().features)
+      features_ += word.size();
+  }
+  if (features_ <= max_features_)
+    return {};
+  return fail(ErrorKind::limit,
+              "the examples are too many to be learnt: there is room for the "
+              "first " +
+                  std::to_string(texts.size() - 1) +
+                  "; leave out some, of those that say the same");
 }
 
 void Lessons::add(const std::vector<LearningWord>& words, std::uint32_t label) {
@@ -169,22 +167,22 @@ void Lessons::add_rules(std::span<const SampledSentence> sentences) {
 
 // Whether its values are looked for in texts.
 bool Lessons::is_known(EntityId entity) const {
-  return (is_form(entity) || is_set(entity)) &&
+  return has_known_values(entity) &&
          std::ranges::find(automaton_.entities, entity) !=
              automaton_.entities.end();
 }
 
 // A new one if there is none.
-std::uint32_t Lessons::label_of(LessonLabel meaning) {
+std::uint32_t Lessons::label_of(const LessonLabel& meaning) {
   const auto found = std::ranges::find_if(labels, [&](const auto& label) {
     return have_equal_meaning(label, meaning);
   });
   const auto number = static_cast<std::uint32_t>(found - labels.begin() + 1);
   if (found == labels.end()) {
-    meaning.takes_any_words = std::ranges::any_of(
+    labels.push_back(meaning);
+    labels.back().takes_any_words = std::ranges::any_of(
         schema_.at(meaning.topic).slots,
         [](const auto& slot) { return slot.entity == words_entity; });
-    labels.push_back(std::move(meaning));
   }
   return number;
 }

@@ -49,8 +49,8 @@ struct FurtherLessons {
 // For one thread. What it refers to must outlive it.
 class Lessons {
 public:
-  // `vectors` may be null. More features than these of all texts together are
-  // an error of kind Limit.
+  // `vectors` may be null. More features than these of all examples and
+  // wordings together are an error of kind Limit.
   Lessons(const Schema& schema, const Automaton& automaton,
           const WordVectors* vectors, std::size_t max_features);
 
@@ -81,14 +81,13 @@ private:
 
   // Of wordings, the tagger learns those alone that have marks: the others are
   // many, and say nothing of slots.
-  Expected<void> add(LessonLabel meaning, const std::string& text,
+  Expected<void> add(const LessonLabel& meaning, const MarkedText& marked,
                      bool is_wording);
-  void add(std::uint32_t label, const MarkedText& marked, bool is_wording);
   void add(const std::vector<LearningWord>& words, std::uint32_t label);
   void add_rules(std::span<const SampledSentence> sentences);
   void add_nothing(const std::string& text);
   bool is_known(EntityId entity) const;
-  std::uint32_t label_of(LessonLabel meaning);
+  std::uint32_t label_of(const LessonLabel& meaning);
   std::uint32_t slot_number(const std::string& slot);
   std::vector<TagLabel> tags(const MarkedText& marked, const Read& read);
 
@@ -96,7 +95,7 @@ private:
   const Automaton& automaton_;
   const WordVectors* vectors_;
   const std::size_t max_features_;
-  std::size_t features_ = 0; // of all texts so far
+  std::size_t features_ = 0; // of examples and wordings so far
   std::vector<TopicNumber> tagged_topics_;
 };
 

@@ -200,7 +200,7 @@ NluEngine::teach(const UnderstandingModel& model, const Schema& schema,
 
 tl::expected<NluEngine, std::vector<Error>>
 NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
-                 Options options, const NluEngine* taught) {
+                 const Options& options, const NluEngine* taught) {
   std::vector<Error> errors;
   Schema schema(model, columns, errors);
   AutomatonBuilder builder(schema, errors);

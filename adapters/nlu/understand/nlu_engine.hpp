@@ -47,7 +47,7 @@ public:
   // columns have other values by now.
   static tl::expected<NluEngine, std::vector<Error>>
   build(const UnderstandingModel& model, const ColumnReader& columns,
-        Options options, const NluEngine* taught = nullptr);
+        const Options& options, const NluEngine* taught = nullptr);
 
   // `context` is the map that comes with DoNLU, or unknown. Of what it says was
   // heard, another text may be understood, where it makes clearly more sense.

@@ -41,6 +41,10 @@ inline bool is_form(EntityId entity) {
 inline bool is_set(EntityId entity) {
   return entity >= first_set_entity;
 }
+// Not any words.
+inline bool has_known_values(EntityId entity) {
+  return is_form(entity) || is_set(entity);
+}
 
 // One of 64 bits for each entity, by which a set of them is known not to have
 // one. Only sets share their bits.

@@ -34,6 +34,11 @@ std::set<std::string> sampled(const std::string& rules,
   return made;
 }
 
+TEST(ValueWord, TellsItsKind) {
+  EXPECT_EQ(kind_of_word(value_word(12)), 12U);
+  EXPECT_EQ(kind_of_word("twelve"), std::nullopt);
+}
+
 TEST(SampledSentences, AreAllThatRulesSay) {
   EXPECT_THAT(
       sampled("public <cab> = [please] (call | order) a cab {topic=Taxi};"),

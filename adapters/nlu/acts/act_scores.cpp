@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "adapters/nlu/acts/courtesies.hpp"
 #include "adapters/nlu/parse/question_words.hpp"
 #include "adapters/nlu/text/has.hpp"
 
@@ -82,16 +83,32 @@ bool is_reasoned(const BuiltAct& act, const std::vector<double>& covered,
   return true;
 }
 
+// "Wow, long name. Which floor?": nothing is left of its sentence. A mere value
+// is none.
+bool is_whole_sentence(const BuiltAct& act, const std::vector<double>& covered,
+                       const Utterance& utterance) {
+  if (act.topic == no_topic || act.is_aside)
+    return false;
+  const auto sentence =
+      stretch_of(utterance.tokens, {act.begin, act.end}, Break::sentence);
+  for (auto token = sentence.begin; token < sentence.end; ++token)
+    if (covered[token] == 0 && utterance.weight[token] > 0)
+      return false;
+  return true;
+}
+
 } // namespace
 
 // An act is scored on the tokens from its begin to the begin of the next one,
-// a refusal without its reason; one that a rule declares, within its clauses:
-// "What a big house. Where do I find Kelvin Ho?" asks a clear question. A mere
-// value among much that is not understood says little, whatever clause it is
-// in.
+// a refusal without its reason, one about a topic without the courtesies around
+// it; one that a rule declares, within its clauses, one that is a whole
+// sentence within that: "What a big house. Where do I find Kelvin Ho?" asks a
+// clear question. A mere value among much that is not understood says little,
+// whatever clause it is in.
 void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
                 const Utterance& utterance, const Context& context) {
   const auto covered = coverage(chain, utterance.size());
+  const auto polite = courtesy_tokens(chain, utterance, context);
   for (std::size_t at = 0; at < acts.size(); ++at) {
     const auto& act = acts[at];
     std::size_t first = at == 0 ? 0 : act.begin;
@@ -99,18 +116,22 @@ void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
         at + 1 < acts.size() ? acts[at + 1].begin : utterance.size();
     if (is_reasoned(act, covered, utterance))
       last = act.end;
-    if (act.is_declared) {
-      const auto clause =
-          stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);
-      first = std::max<std::size_t>(first, clause.begin);
-      last = std::min<std::size_t>(last, clause.end);
+    const bool is_whole = is_whole_sentence(act, covered, utterance);
+    if (act.is_declared || is_whole) {
+      const auto own = stretch_of(utterance.tokens, {act.begin, act.end},
+                                  is_whole ? Break::sentence : Break::comma);
+      first = std::max<std::size_t>(first, own.begin);
+      last = std::min<std::size_t>(last, own.end);
     }
-    const auto whole = utterance.weight_of(first, last);
     auto sum = repeated(
         act, covered, utterance, context,
         {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)});
+    double whole = 0;
     for (auto token = first; token < last; ++token)
-      sum += covered[token];
+      if (act.topic == no_topic || !polite[token]) {
+        sum += covered[token];
+        whole += utterance.weight[token];
+      }
     acts[at].understood = whole > 0 ? std::min(1.0, sum / whole) : 1.0;
     acts[at].score = acts[at].understood + bonus_of(acts[at], context);
   }

@@ -1,21 +1,16 @@
 #include "adapters/nlu/acts/acts.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "adapters/nlu/acts/act_scores.hpp"
 #include "adapters/nlu/acts/asides.hpp"
+#include "adapters/nlu/acts/courtesies.hpp"
 #include "adapters/nlu/acts/denied_values.hpp"
 #include "adapters/nlu/acts/doubt.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
-
-// Generic acts that are only politeness if something else is said.
-constexpr std::array<std::string_view, 9> courtesies{
-    "greet",   "thank",    "help", "repeat", "explain",
-    "options", "rephrase", "wait", "protest"};
 
 const Fill* find(const std::vector<Fill>& fills, std::string_view slot) {
   const auto found = std::ranges::find(fills, slot, &Fill::slot);
@@ -334,12 +329,11 @@ private:
       std::erase_if(acts_, [](const BuiltAct& act) {
         return act.topic == no_topic && act.act == "correct";
       });
-    const auto is_courtesy = [](const BuiltAct& act) {
-      return act.topic == no_topic &&
-             std::ranges::find(courtesies, act.act) != courtesies.end();
+    const auto is_polite = [](const BuiltAct& act) {
+      return act.topic == no_topic && is_courtesy(act.act);
     };
-    if (!std::ranges::all_of(acts_, is_courtesy))
-      std::erase_if(acts_, is_courtesy);
+    if (!std::ranges::all_of(acts_, is_polite))
+      std::erase_if(acts_, is_polite);
     // Who wants something has not gone yet: "I am off. Lights out. See you."
     const bool wants_something =
         std::ranges::any_of(acts_, [](const BuiltAct& act) {

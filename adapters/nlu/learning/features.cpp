@@ -53,12 +53,15 @@ std::string kind_name(std::uint32_t kind) {
   return '@' + std::to_string(kind);
 }
 
-// The words, with one kind in the place of all words of a value.
+// The words, with one kind in the place of all words of a value. What means
+// nothing is left out: with it or without, a sentence is about the same.
 std::vector<std::string>
 without_values(const std::vector<LearningWord>& words) {
   std::vector<std::string> made;
   std::uint32_t before = 0;
   for (const auto& one : words) {
+    if (one.filler && one.kind == 0)
+      continue;
     if (one.kind == 0)
       made.emplace_back(one.word);
     else if (one.kind != before)

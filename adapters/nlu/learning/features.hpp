@@ -77,9 +77,9 @@ struct TextFeatures {
 };
 
 // The features of a text: its words, pairs of adjacent words, and pieces of
-// words of three and four letters. In pairs, words of a value are replaced by
-// its kind, so that one name in the examples stands for all; such words have no
-// part in the meaning.
+// words of three and four letters, all without fillers. In pairs, words of a
+// value are replaced by its kind, so that one name in the examples stands for
+// all; such words have no part in the meaning.
 TextFeatures text_features(const std::vector<LearningWord>& words);
 
 // The features of each word: the word, its neighbours, how it begins and ends,

@@ -18,12 +18,20 @@ public:
       : islands_(islands), utterance_(utterance),
         question_(utterance, context) {}
 
-  // Whoever asks where something stops wants nothing to stop.
+  // Whoever asks where something stops wants nothing to stop, and "can I leave
+  // it with you" breaks off nothing.
   bool is_stop_of_question(const Island& island) const {
-    if (!is_generic(island, "cancel") || word(island.begin) != "stop")
+    if (!is_generic(island, "cancel"))
       return false;
     const auto first = first_of_clause(island);
-    return first < island.begin && asks(word(first));
+    if (first >= island.begin)
+      return false;
+    return word(island.begin) == "stop"
+               ? asks(word(first))
+               : is_one_of(word(island.begin), {"leave", "drop"}) &&
+                     is_one_of(word(first), {"can", "could", "may", "should",
+                                             "where", "when", "how"}) &&
+                     island.end < clause_of(island).end;
   }
 
   // "No, wait, it is the eye clinic" says no yes, and "you can ring him" none.
@@ -42,6 +50,14 @@ public:
           !is_said_apart(island, token))
         return true;
     return false;
+  }
+
+  // "Which one have I to bring back on Friday?"
+  bool is_yes_of_question(const Island& island) const {
+    if (!is_generic(island, "confirm"))
+      return false;
+    const auto first = first_of_clause(island);
+    return first < island.begin && word(first) != "why" && asks(word(first));
   }
 
   // "isn't there a bank?": a question that goes on is none behind a statement.
@@ -69,6 +85,28 @@ public:
           !wishes(token) && !follows(island, token))
         return true;
     return false;
+  }
+
+  // "We'll never make that", "my phone has no signal": part of what is told.
+  bool is_marker_within(const Island& island) const {
+    if (!island.is_marker() ||
+        !is_one_of(word(island.begin), {"make", "change"}))
+      return false;
+    const auto clause = clause_of(island);
+    for (auto token = clause.begin; token < island.begin; ++token)
+      if (!wishes(token))
+        return true;
+    return false;
+  }
+  bool is_no_within(const Island& island) const {
+    return is_generic(island, "deny") && island.end == island.begin + 1 &&
+           word(island.begin) == "no" && island.end < clause_of(island).end &&
+           island.begin > clause_of(island).begin && !is_before_value(island) &&
+           is_one_of(word(island.begin - 1),
+                     {"have",  "has",  "had",  "got",  "is",   "are",
+                      "was",   "were", "get",  "gets", "with", "there",
+                      "in",    "of",   "see",  "find", "know", "need",
+                      "makes", "take", "takes"});
   }
 
 private:
@@ -144,6 +182,13 @@ private:
     });
   }
 
+  // "we have no towels"
+  bool is_before_value(const Island& island) const {
+    return std::ranges::any_of(islands_, [&](const Island& other) {
+      return other.begin == island.end && !other.fills.empty();
+    });
+  }
+
   // "it is, thank you": another act about the conversation has the word.
   bool is_said_apart(const Island& island, std::uint32_t token) const {
     return std::ranges::any_of(islands_, [&](const Island& other) {
@@ -166,8 +211,11 @@ void leave_out_half_clauses(std::vector<Island>& islands,
   const Clauses clauses(islands, utterance, context);
   leave_out(islands, [&](const Island& island) {
     return clauses.is_stop_of_question(island) ||
-           clauses.is_half_a_yes(island) || clauses.is_tag_within(island) ||
-           clauses.is_bye_within(island) || clauses.is_other_start(island);
+           clauses.is_half_a_yes(island) ||
+           clauses.is_yes_of_question(island) ||
+           clauses.is_tag_within(island) || clauses.is_bye_within(island) ||
+           clauses.is_other_start(island) || clauses.is_marker_within(island) ||
+           clauses.is_no_within(island);
   });
 }
 

@@ -140,8 +140,10 @@ void leave_out_strangers(std::vector<Island>& islands,
               is_before_sentence(island, *other, utterance.tokens)) ||
              (strange && is_better(*other) && island.act.empty() &&
               is_apart(island, *other, utterance)) ||
-             (strange && nameless && !is_apart(island, *other, utterance) &&
-              is_foreign(island, *other));
+             (strange && nameless && is_foreign(island, *other) &&
+              (!is_apart(island, *other, utterance) ||
+               (island.act == "inform" && island.end <= other->begin &&
+                is_better(*other) && says_what(*other, spans))));
     });
   });
 }

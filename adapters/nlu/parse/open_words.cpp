@@ -131,7 +131,39 @@ public:
             }));
   }
 
+  // "Good morning, Ravi Iyer" introduces somebody; "good morning, my mobile has
+  // no signal" and "hello, parcel for you" do not, though only a greeting
+  // stands before what may be a name.
+  bool greets_before(const Island& island, const Fill& fill) const {
+    if (island.asked || &fill != &island.fills.front() ||
+        island.begin == fill.begin || !is_greeted(island, fill))
+      return false;
+    const TokenRange value{fill.begin, fill.end};
+    return is_determined(island, fill) ||
+           has_sentence_word(utterance_, value) ||
+           !is_written_as_name(utterance_, value);
+  }
+
 private:
+  // Whether all words before the value are of a greeting, but for a determiner.
+  bool is_greeted(const Island& island, const Fill& fill) const {
+    bool greeted = false;
+    for (auto token = island.begin; token < fill.begin; ++token)
+      if (is_of_greeting(token))
+        greeted = true;
+      else if (!is_determiner(token_at(utterance_, token).word) &&
+               !utterance_.filler[token])
+        return false;
+    return greeted;
+  }
+
+  bool is_of_greeting(std::uint32_t token) const {
+    return std::ranges::any_of(islands_, [&](const Island& other) {
+      return other.act == "greet" && !other.is_content() &&
+             other.begin <= token && token < other.end;
+    });
+  }
+
   bool is_part_of_form(const Fill& fill) const {
     return std::ranges::any_of(spans_.all(), [&](const Span& span) {
       return is_form(span.entity) && !span.weak && !span.unmatched &&
@@ -145,11 +177,7 @@ private:
     if (island.asked || island.begin == fill.begin)
       return false;
     for (auto token = island.begin; token < island.end; ++token)
-      if ((token < fill.begin || token >= fill.end) &&
-          std::ranges::none_of(islands_, [&](const Island& other) {
-            return other.act == "greet" && !other.is_content() &&
-                   other.begin <= token && token < other.end;
-          }))
+      if ((token < fill.begin || token >= fill.end) && !is_of_greeting(token))
         return false;
     return true;
   }
@@ -270,6 +298,7 @@ void drop_implausible(std::vector<Island>& islands, const Utterance& utterance,
       return is_open(fill, spans) &&
              (surroundings.speak_against(island, fill) ||
               surroundings.belong_elsewhere(island, fill) ||
+              surroundings.greets_before(island, fill) ||
               certainty_of_words(utterance, {{fill.begin, fill.end},
                                              {island.begin, island.end},
                                              island.asked}) < in_doubt);

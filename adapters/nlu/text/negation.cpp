@@ -33,6 +33,9 @@ const Words& states_of_mind() {
   return words;
 }
 
+// "No wake-up call then"
+constexpr std::size_t longest_refusal = 5;
+
 class Negations {
 public:
   explicit Negations(const Tokens& tokens) : tokens_(tokens.list) {}
@@ -54,16 +57,29 @@ public:
     while (is_linking_word(word(token)) && word(token) != "have");
     return word(token);
   }
-  // Whether the negation is imperative: "do not", "please not", "must not",
-  // "never".
+  // Whether the negation is imperative: "do not", "please not", "must not", and
+  // "never" where a clause begins. "I never heard back" tells something.
   bool is_order(std::size_t token) const {
     const auto before = word(token - 1);
-    return word(token) == "never" || before == "do" || before == "please" ||
-           before == "must" || before == "should";
+    const bool begins = token == 0 || tokens_[token].before != Break::none;
+    return (word(token) == "never" && begins &&
+            !word(token + 1).ends_with("ed")) ||
+           before == "do" || before == "please" || before == "must" ||
+           before == "should";
   }
   bool turns_round(std::size_t token) const {
     const auto what = object(token);
     return is_order(token) && !what.empty() && !states_of_mind().contains(what);
+  }
+  // "… No taxi then.": the last sentence, with little behind the "no".
+  bool ends_without() const {
+    auto first = tokens_.size();
+    while (first > 0 && (first == tokens_.size() ||
+                         tokens_[first].before != Break::sentence))
+      --first;
+    const auto length = tokens_.size() - first;
+    return word(first) == "no" && length > 1 && length <= longest_refusal &&
+           tokens_[first + 1].before == Break::none;
   }
 
 private:
@@ -105,7 +121,7 @@ bool is_negated_order(const Tokens& tokens, const std::vector<bool>& negates) {
   for (std::size_t token = 0; token < negates.size(); ++token)
     if (negates[token] && negations.turns_round(token))
       return true;
-  return false;
+  return negations.ends_without();
 }
 
 } // namespace parlour::adapters::nlu

@@ -21,7 +21,8 @@ bool is_not(std::string_view word);
 // "to" in "(do not) want to open".
 bool is_linking_word(std::string_view word);
 
-// Whether the utterance as a whole is a negated order: "please do not …".
+// Whether the utterance as a whole is a negated order: "please do not …", "no
+// taxi then".
 // `negates` is the result of negations().
 bool is_negated_order(const Tokens& tokens, const std::vector<bool>& negates);
 

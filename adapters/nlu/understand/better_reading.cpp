@@ -1,7 +1,12 @@
 #include "adapters/nlu/understand/better_reading.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
 
+#include "adapters/nlu/acts/courtesies.hpp"
+#include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/word_set.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
 
@@ -14,7 +19,7 @@ constexpr double well_understood = 0.9;
 // What a hypothesis needs in the place of a sentence, and how much better than
 // a value it must be that is expected.
 constexpr double likely = 0.6;
-constexpr double much_better = 0.2;
+constexpr double much_better = 0.3;
 
 // Whether the hypothesis has these values, too.
 bool has_all(const BuiltAct& hypothesis, const BuiltAct& act) {
@@ -46,20 +51,52 @@ bool is_replaceable(const BuiltAct& act) {
          !kept.contains(act.act);
 }
 
+} // namespace
+
+bool BetterReading::are_openings(const std::vector<BuiltAct>& acts) const {
+  return std::ranges::all_of(acts, [&](const BuiltAct& act) {
+    return act.topic == no_topic && act.score < well_understood &&
+           is_opening(act.act, context_);
+  });
+}
+
+bool BetterReading::leaves_open(const std::vector<BuiltAct>& acts) const {
+  return are_openings(acts) ||
+         (acts.size() == 1 &&
+          (acts[0].topic == no_topic
+               ? is_replaceable(acts[0])
+               : acts[0].elliptical || leaves_words(acts[0])));
+}
+
+// "And Macbeth, when does that come back?": the act leaves a word that asks.
+bool BetterReading::leaves_question(const BuiltAct& act) const {
+  static constexpr std::array<std::string_view, 6> words{
+      "where", "when", "who", "whom", "why", "how"};
+  for (std::uint32_t token = 0; token < utterance_.size(); ++token)
+    if ((token < act.begin || token >= act.end) && !utterance_.filler[token] &&
+        has(words, utterance_.tokens.list[token].word))
+      return true;
+  return false;
+}
+
+bool BetterReading::leaves_words(const BuiltAct& act) const {
+  return act.score < well_understood || leaves_question(act);
+}
+
 // A bare value tells no topic by itself. If the conversation does not expect
 // it, the words around it decide.
-bool is_better(const BuiltAct& act, const BuiltAct& hypothesis,
-               const Context& context, bool well_taught) {
+bool BetterReading::is_better(const BuiltAct& act,
+                              const BuiltAct& hypothesis) const {
   // What is broken off is what goes on: "never mind, I can walk".
   const bool breaks_off = act.act == "cancel" || act.act == "abandon";
   if (act.topic == no_topic)
     return is_replaceable(act) && hypothesis.score > act.score &&
-           !(breaks_off && context.expects(hypothesis.topic));
-  if (well_taught && act.topic == context.asked_topic)
+           !(breaks_off && context_.expects(hypothesis.topic));
+  if (well_taught_ && act.topic == context_.asked_topic)
     return false;
-  const bool is_expected = context.expects(act.topic);
+  const bool is_expected = context_.expects(act.topic);
   const auto needed =
-      act.score + (well_taught && is_expected ? much_better : 0);
+      act.score + (well_taught_ && is_expected ? much_better : 0);
   return act.elliptical && act.act != "correct" &&
          (needed < hypothesis.score ||
           (!is_expected && has_all(hypothesis, act)));
@@ -67,32 +104,23 @@ bool is_better(const BuiltAct& act, const BuiltAct& hypothesis,
 
 // A question that is answered wrongly costs less than a task that nobody wants,
 // so none is begun instead of an answer.
-bool is_better_sentence(const BuiltAct& act, const BuiltAct& hypothesis,
-                        const Schema& schema, const Context& context) {
-  return act.topic != no_topic && act.score < well_understood &&
-         hypothesis.score > likely && context.asked_topic == no_topic &&
-         !context.expects(act.topic) && keeps_values(hypothesis, act) &&
-         (schema.at(hypothesis.topic).enquiry || !schema.at(act.topic).enquiry);
+bool BetterReading::is_better_sentence(const BuiltAct& act,
+                                       const BuiltAct& hypothesis) const {
+  return act.topic != no_topic && hypothesis.topic != no_topic &&
+         leaves_words(act) && hypothesis.score > likely &&
+         context_.asked_topic == no_topic && !context_.expects(act.topic) &&
+         keeps_values(hypothesis, act) &&
+         (schema_.at(hypothesis.topic).enquiry ||
+          !schema_.at(act.topic).enquiry);
 }
 
-} // namespace
-
-bool leaves_open(const std::vector<BuiltAct>& acts) {
-  return acts.empty() ||
-         (acts.size() == 1 &&
-          (acts[0].topic == no_topic
-               ? is_replaceable(acts[0])
-               : acts[0].elliptical || acts[0].score < well_understood));
-}
-
-bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
-                   const Schema& schema, const Context& context,
-                   bool well_taught) {
-  const bool better =
-      acts.empty() || is_better(acts[0], hypothesis, context, well_taught) ||
-      (well_taught && acts.size() == 1 &&
-       is_better_sentence(acts[0], hypothesis, schema, context));
-  if (acts.empty() || (better && acts[0].topic != hypothesis.topic)) {
+bool BetterReading::choose(std::vector<BuiltAct>& acts,
+                           const BuiltAct& hypothesis) const {
+  const bool opens = are_openings(acts);
+  const bool better = opens || is_better(acts[0], hypothesis) ||
+                      (well_taught_ && acts.size() == 1 &&
+                       is_better_sentence(acts[0], hypothesis));
+  if (opens || (better && acts[0].topic != hypothesis.topic)) {
     acts = {hypothesis};
     return true;
   }
@@ -100,12 +128,12 @@ bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
     return false;
   for (const auto& fill : hypothesis.fills)
     if (may_fill(acts[0].fills, fill,
-                 schema.at(hypothesis.topic).takes_many(fill.slot)))
+                 schema_.at(hypothesis.topic).takes_many(fill.slot)))
       acts[0].fills.push_back(fill);
   // Several topics take this value, but the whole sentence is about this one:
   // the act is no longer elliptical.
   const bool sentence = better && acts[0].act == hypothesis.act &&
-                        context.bonus(hypothesis.topic) == 0;
+                        context_.bonus(hypothesis.topic) == 0;
   if (sentence) {
     acts[0].score = hypothesis.score;
     acts[0].elliptical = false;

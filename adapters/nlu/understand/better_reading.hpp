@@ -1,25 +1,49 @@
 // Chooses between what grammars found and what was learnt of examples and
-// wordings (docs/understanding.md).
+// wordings (docs/understanding.md). Pure.
 #pragma once
 
 #include <vector>
 
+#include "adapters/nlu/grammar/utterance.hpp"
 #include "adapters/nlu/parse/built_act.hpp"
 #include "adapters/nlu/parse/context.hpp"
 
 namespace parlour::adapters::nlu {
 
-// Whether the acts that grammars found are so few or so weak that the examples
-// may know more.
-bool leaves_open(const std::vector<BuiltAct>& acts);
+// Made for one utterance, without its courtesies; all must outlive it.
+class BetterReading {
+public:
+  // A hypothesis that is `well_taught` is also better than a whole sentence
+  // that was understood in part, about what nobody expects.
+  BetterReading(const Schema& schema, const Context& context,
+                const Utterance& utterance, bool well_taught)
+      : schema_(schema), context_(context), utterance_(utterance),
+        well_taught_(well_taught) {}
 
-// Puts the hypothesis in the place of the acts if it is better; otherwise adds
-// the slots that it found beside them. True if it took their place. A bare
-// value about the topic that the context expects is kept, whatever the examples
-// say. One that is `well_taught` is also better than a whole sentence that was
-// understood in part, about what nobody expects.
-bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
-                   const Schema& schema, const Context& context,
-                   bool well_taught);
+  // Whether the acts that grammars found only open or close what is said. True
+  // for none.
+  bool are_openings(const std::vector<BuiltAct>& acts) const;
+
+  // Whether they are so few or so weak that the examples may know more.
+  bool leaves_open(const std::vector<BuiltAct>& acts) const;
+
+  // Puts the hypothesis in the place of the acts if it is better; otherwise
+  // adds the slots that it found beside them. True if it took their place. A
+  // bare value about the topic that the context expects is kept, whatever the
+  // examples say.
+  bool choose(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis) const;
+
+private:
+  bool is_better(const BuiltAct& act, const BuiltAct& hypothesis) const;
+  bool is_better_sentence(const BuiltAct& act,
+                          const BuiltAct& hypothesis) const;
+  bool leaves_words(const BuiltAct& act) const;
+  bool leaves_question(const BuiltAct& act) const;
+
+  const Schema& schema_;
+  const Context& context_;
+  const Utterance& utterance_;
+  bool well_taught_;
+};
 
 } // namespace parlour::adapters::nlu

@@ -12,6 +12,7 @@
 #include "adapters/nlu/acts/acts.hpp"
 #include "adapters/nlu/acts/choice.hpp"
 #include "adapters/nlu/acts/correction.hpp"
+#include "adapters/nlu/acts/courtesies.hpp"
 #include "adapters/nlu/acts/taken_back.hpp"
 #include "adapters/nlu/grammar/merged_states.hpp"
 #include "adapters/nlu/parse/island_filters.hpp"
@@ -304,14 +305,16 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
     acts = {*choice};
   // Only if grammars left something open.
   std::vector<BuiltAct> hypotheses;
-  if (!choice && leaves_open(acts))
-    hypotheses = self.hypotheses(utterance, spans, context, acts.empty());
+  const auto meant = without_courtesies(utterance, chains[0], context);
+  const BetterReading better(schema, context, meant, learned.is_well_taught());
+  if (!choice && better.leaves_open(acts))
+    hypotheses =
+        self.hypotheses(meant, spans, context, better.are_openings(acts));
   const bool guessed =
-      !hypotheses.empty() && prefer_better(acts, hypotheses[0], schema, context,
-                                           learned.is_well_taught());
+      !hypotheses.empty() && better.choose(acts, hypotheses[0]);
   const bool is_other =
       !(guessed && learned.is_well_taught()) &&
-      likeness.leave_out_other_talk(acts, utterance, spans, learned, context);
+      likeness.leave_out_other_talk(acts, meant, spans, learned, context);
   for (auto& act : acts)
     correct_what_was_said(act, spans, context);
   join_corrections(acts, schema);

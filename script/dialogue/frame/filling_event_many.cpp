@@ -20,6 +20,7 @@ struct Said {
   const FrameChange* doubtful = nullptr;
   List candidates; // of that
   bool removed = false;
+  bool corrected = false;
   bool certain = true;
   Value confidence{1}; // the least
 
@@ -35,14 +36,16 @@ struct Said {
   }
 
   // A correction of what is not there takes the place of what was said last,
-  // unless it goes with "not the …".
+  // unless it goes with "not the …" or behind another one: in "no, two teas and
+  // a cake", the cake replaces no tea.
   void put(const FrameChange& change, const Value& value) {
     note(change);
     const bool corrects = change.kind == Kind::correct;
-    if (corrects && !values.has(value) && !removed)
+    if (corrects && !corrected && !values.has(value) && !removed)
       values.replace_last(value, change.amount);
     else
       values.put(value, change.amount, change.more && !corrects);
+    corrected |= corrects;
   }
 
   void take_out(const FrameChange& change, const Value& value) {

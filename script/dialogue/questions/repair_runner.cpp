@@ -43,14 +43,17 @@ Value RepairRunner::situation(const Trouble& trouble) {
       explanation = texts_.text_of(code, trouble.topic);
     choices = texts_.choices_of(trouble.topic, trouble.slot)["choices"];
   }
-  return Map{{"asked", question_ && (question_->heard || question_->pending)},
-             {"count", static_cast<std::int64_t>(trouble.count)},
-             {"misses", static_cast<std::int64_t>(misses_)},
-             {"refused", trouble.refused},
-             {"explanation", std::move(explanation)},
-             {"choices", std::move(choices)},
-             {"unfinished", whereabouts_.unfinished_names()},
-             {"status", whereabouts_.status_of(trouble.topic)}};
+  const bool asked = question_ && (question_->heard || question_->pending);
+  return Map{
+      {"asked", asked},
+      {"confirms", asked && question_->wants_yes_or_no() && !trouble.answered},
+      {"count", static_cast<std::int64_t>(trouble.count)},
+      {"misses", static_cast<std::int64_t>(misses_)},
+      {"refused", trouble.refused},
+      {"explanation", std::move(explanation)},
+      {"choices", std::move(choices)},
+      {"unfinished", whereabouts_.unfinished_names()},
+      {"status", whereabouts_.status_of(trouble.topic)}};
 }
 
 Value RepairRunner::data_of(const std::string& act, TopicId topic,

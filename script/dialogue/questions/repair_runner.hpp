@@ -22,7 +22,8 @@ struct Trouble {
   SlotId slot = script::no_id;
   std::uint32_t count = 0;
   TurnId turn = 0;
-  bool refused = false; // understood, and does not fit
+  bool refused = false;  // understood, and does not fit
+  bool answered = false; // the question was, and more may follow
 };
 
 // RepairActs and Reprompts tell it what has happened; which <repair> that means

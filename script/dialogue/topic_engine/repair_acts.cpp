@@ -33,7 +33,9 @@ bool leaves_question_open(ActKind kind) {
 void RepairActs::generic_act(const steps::TopicAct& step, TopicId topic,
                              TopicId done) {
   const auto kind = step.act->kind;
-  Trouble trouble{.act = name_of(kind), .turn = step.turn};
+  Trouble trouble{.act = name_of(kind),
+                  .turn = step.turn,
+                  .answered = breath_.holds_an_answer()};
   if (about_the_question(kind) && question_ && question_->heard) {
     trouble.topic = question_->topic;
     trouble.slot = question_->slot;
@@ -45,7 +47,7 @@ void RepairActs::generic_act(const steps::TopicAct& step, TopicId topic,
       trouble.topic = done;
   }
   repairs_.understood();
-  if (question_ && !leaves_question_open(kind) && !breath_.holds_an_answer())
+  if (question_ && !leaves_question_open(kind) && !trouble.answered)
     question_.interrupt(); // unless it is asked again
   if (!repairs_.repair(trouble))
     reprompts_.misunderstood(step.turn, step.act->text);

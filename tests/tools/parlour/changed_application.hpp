@@ -21,10 +21,13 @@ protected:
     setenv("PARLOUR_PROGRAM", test::program_path().c_str(), 1);
   }
 
+  // Without its wordings: to learn them takes a second at each start, and many
+  // under sanitizers.
   void copy(const std::string& application) {
     std::filesystem::copy(test::source_path("config/apps/") + application,
                           folder_.path(),
                           std::filesystem::copy_options::recursive);
+    folder_.write("wordings.tsv", "");
   }
   void change(const std::string& file, const std::string& from,
               const std::string& to) {

@@ -25,6 +25,28 @@ TEST(ActScores, CountTheWordsOfTheQuestionBesideAYes) {
   EXPECT_LT(understood("yes, hand it back", question), 0.5);
 }
 
+// A greeting makes nothing else clearer, and nothing less clear.
+TEST(ActScores, LeaveCourtesiesOut) {
+  static const auto engine = sample();
+  const auto score = [](const char* text) {
+    return engine.understand(text, Value(Map{{"now", sample_now()}})).score;
+  };
+  EXPECT_EQ(score("the bank with green zork"),
+            score("hello, the bank with green zork"));
+  EXPECT_EQ(score("the bank with green zork"),
+            score("the bank with green zork, thank you"));
+}
+
+TEST(ActScores, ASentenceIsScoredByItself) {
+  static const auto engine = sample();
+  const auto acts = [](const char* text) {
+    return summary(
+        engine.understand(text, Value(Map{{"now", sample_now()}})).acts);
+  };
+  EXPECT_EQ(acts("What a long and winding story. Where is the bank?"),
+            acts("Where is the bank?"));
+}
+
 TEST(ActScores, TakeNothingFromARefusalForItsReason) {
   static const auto engine = sample();
   const auto acts = [&](const char* text) {

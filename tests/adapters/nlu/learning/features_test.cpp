@@ -20,6 +20,16 @@ TEST(TextFeatures, AreTheSameForTheSameWords) {
             text_features({{"it", 0}, {"book", 0}}));
 }
 
+TEST(TextFeatures, AreThoseOfWordsThatMeanSomething) {
+  LearningWord please{"please", 0};
+  please.filler = true;
+  EXPECT_EQ(text_features({{"book", 0}, please, {"it", 0}}),
+            text_features({{"book", 0}, {"it", 0}}));
+  please.kind = 9; // a value's
+  EXPECT_NE(text_features({{"book", 0}, please, {"it", 0}}),
+            text_features({{"book", 0}, {"it", 0}}));
+}
+
 TEST(TextFeatures, StandOnceEach) {
   const auto features = text_features({{"bye", 0}, {"bye", 0}}).features;
   EXPECT_EQ(std::ranges::adjacent_find(features), features.end());

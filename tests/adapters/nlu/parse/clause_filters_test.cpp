@@ -17,6 +17,9 @@ std::string understood(const char* text, const char* question = nullptr) {
 TEST(ClauseFilters, LeaveOutTheStopOfAQuestion) {
   EXPECT_EQ(understood("Where do the taxis stop"), "");
   EXPECT_EQ(understood("and where do the taxis stop?"), "");
+  EXPECT_EQ(understood("can I leave it with you"), "");
+  EXPECT_EQ(understood("where can I drop it now"), "");
+  EXPECT_EQ(understood("can we please leave it"), "cancel");
   EXPECT_EQ(understood("stop"), "cancel");
   EXPECT_EQ(understood("where are we, stop"), "cancel");
   EXPECT_EQ(understood("the taxis stop"), "cancel");
@@ -32,6 +35,26 @@ TEST(ClauseFilters, LeaveOutAYesThatIsHalfAClause) {
   EXPECT_EQ(understood("yes, do it"), "confirm");
   EXPECT_EQ(understood("it is the blue one", "The blue one: is that right?"),
             "confirm");
+}
+
+TEST(ClauseFilters, LeaveOutAYesWithinAQuestion) {
+  EXPECT_EQ(understood("which floor is that correct office on"), "");
+  EXPECT_EQ(understood("that is correct"), "confirm");
+}
+
+TEST(ClauseFilters, LeaveOutANoThatBelongsToANoun) {
+  EXPECT_EQ(understood("my phone has no zork"), "");
+  EXPECT_EQ(understood("no"), "deny");
+  EXPECT_EQ(understood("oh no"), "deny");
+}
+
+TEST(ClauseFilters, LeaveOutACorrectionThatIsTold) {
+  EXPECT_EQ(understood("we will never make that. I need a taxi"),
+            "inform Taxi");
+  EXPECT_EQ(understood("make that the bank"),
+            "~correct Facility Category=bank");
+  EXPECT_EQ(understood("can you please make that the bank"),
+            "~correct Facility Category=bank");
 }
 
 TEST(ClauseFilters, LeaveOutAByeThatGoesOn) {

@@ -116,6 +116,27 @@ TEST(IslandFilters, LeaveOutStrangersBesideASentenceOfAnyWords) {
   EXPECT_EQ(kept("My head is splitting"), 1);
 }
 
+// In one sentence, what is told before an order is left out, not what is asked.
+TEST(IslandFilters, LeaveOutStrangersThatAreToldBeforeAnOrder) {
+  const auto kept = [](const char* text) {
+    Stages stages(R"(
+      public <find> = find @Facility.Category {act=request} {topic=Facility};
+      public <see> = we see @db:staff.name {Host} {act=inform} {topic=Appointment};
+      public <is> = is it @db:staff.name {Host} {act=request} {topic=Appointment};)",
+                  text);
+    auto islands = stages.islands;
+    leave_out_strangers(islands, stages.utterance, stages.spans, {});
+    return std::ranges::any_of(islands, [](const Island& island) {
+      return island.find("Host") != nullptr;
+    });
+  };
+  EXPECT_FALSE(kept("We see clouds, find the bank"));
+  EXPECT_TRUE(kept("We see Clouds, find the bank"));
+  EXPECT_TRUE(kept("We see Jeffery Ho, find the bank"));
+  EXPECT_TRUE(kept("Is it clouds, find the bank"));
+  EXPECT_TRUE(kept("Find the bank, we see clouds"));
+}
+
 // Who rang yesterday comes on another day.
 TEST(IslandFilters, LeaveOutDaysThatAreOver) {
   const auto kept = [](const char* text, const std::string& asked) {

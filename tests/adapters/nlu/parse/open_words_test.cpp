@@ -118,6 +118,15 @@ TEST(OpenWords, AreNoNameOfAListBehindAGreeting) {
   EXPECT_EQ(visitors_to_the_end("I am Anand Menon"), 1); // who it is, is said
 }
 
+TEST(OpenWords, AreNoNameBehindAGreetingIfTheyDoNotLookLikeOne) {
+  EXPECT_EQ(visitors_to_the_end("Hello Ravi Okafor"), 1);
+  EXPECT_EQ(visitors_to_the_end("hello ravi okafor"), 1);
+  EXPECT_EQ(visitors_to_the_end("Hello parcel"), 0);
+  EXPECT_EQ(visitors_to_the_end("hello my zork"), 0);
+  EXPECT_EQ(visitors_to_the_end("Hello, the screen is dark"), 0);
+  EXPECT_EQ(visitors_to_the_end("I am ravi okafor"), 1); // it is said
+}
+
 TEST(OpenWords, AreNoPartOfADate) {
   EXPECT_EQ(visitors_to_the_end("like this afternoon"), 0);
   EXPECT_EQ(visitors_to_the_end("like this okafor"), 1);

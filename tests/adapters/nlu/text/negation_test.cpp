@@ -26,6 +26,23 @@ TEST(Negation, TurnsOrdersRound) {
     EXPECT_TRUE(negates(text)) << text;
 }
 
+TEST(Negation, AShortLastSentenceWithoutSomethingIsAnOrder) {
+  for (const auto* text :
+       {"no taxi then", "She is picking me up. No taxi, thanks.",
+        "no wake-up call please"})
+    EXPECT_TRUE(is_order(text)) << text;
+  for (const auto* text :
+       {"no", "no, a taxi", "No taxi. I walk.", "I have no umbrella",
+        "no idea where to go from here now"})
+    EXPECT_FALSE(is_order(text)) << text;
+}
+
+TEST(Negation, WhatNeverHappenedIsToldAndNotOrdered) {
+  EXPECT_FALSE(is_order("I sent my CV and never heard back"));
+  EXPECT_FALSE(is_order("never received it"));
+  EXPECT_TRUE(is_order("please never open it"));
+}
+
 TEST(Negation, AsksAndTellsWithoutIt) {
   for (const auto* text :
        {"why not open the door", "isn't there a bank", "can't I open the door",

@@ -25,22 +25,35 @@ const Schema& schema() {
   return made;
 }
 
+bool leaves_open(const std::vector<BuiltAct>& acts,
+                 const Utterance& utterance = {}) {
+  const Context context;
+  return BetterReading(schema(), context, utterance, true).leaves_open(acts);
+}
+
+bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
+                   const Context& context, bool well_taught,
+                   const Utterance& utterance = {}) {
+  return BetterReading(schema(), context, utterance, well_taught)
+      .choose(acts, hypothesis);
+}
+
 TEST(BetterReading, TakesThePlaceOfNothing) {
   std::vector<BuiltAct> acts;
   EXPECT_TRUE(leaves_open(acts));
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.5), schema(), {}, false));
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.5), {}, false));
   EXPECT_EQ(acts.size(), 1U);
 }
 
 TEST(BetterReading, TakesThePlaceOfAValueOfAnotherTopic) {
   std::vector<BuiltAct> acts{act(1, 0.5, true)};
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.6), schema(), {}, false));
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.6), {}, false));
   EXPECT_EQ(acts[0].topic, 0U);
 }
 
 TEST(BetterReading, MakesASentenceOfAValue) {
   std::vector<BuiltAct> acts{act(0, 0.5, true)};
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.9), schema(), {}, false));
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.9), {}, false));
   EXPECT_FALSE(acts[0].elliptical);
   EXPECT_EQ(acts[0].score, 0.9);
 }
@@ -49,13 +62,13 @@ TEST(BetterReading, LeavesAValueToTheTopicThatIsGoingOn) {
   Context context;
   context.current = 0;
   std::vector<BuiltAct> acts{act(0, 0.7, true)};
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), schema(), context, false));
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), context, false));
   EXPECT_TRUE(acts[0].elliptical);
 }
 
 TEST(BetterReading, DoesNotTakeThePlaceOfASentence) {
   std::vector<BuiltAct> acts{act(1, 0.5)};
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), schema(), {}, false));
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), {}, false));
   EXPECT_EQ(acts[0].topic, 1U);
   EXPECT_FALSE(leaves_open({act(1, 0.95)}));
 }
@@ -66,7 +79,7 @@ TEST(BetterReading, AddsWhatWasNotFoundYet) {
   auto hypothesis = act(0, 0.9);
   hypothesis.fills = {fill("Visitor", 4, 6), fill("Host", 0, 1),
                       fill("Firm", 6, 7)};
-  EXPECT_FALSE(prefer_better(acts, hypothesis, schema(), {}, false));
+  EXPECT_FALSE(prefer_better(acts, hypothesis, {}, false));
   ASSERT_EQ(acts[0].fills.size(), 2U);
   EXPECT_EQ(acts[0].fills[1].slot, "Firm");
 }
@@ -75,7 +88,7 @@ TEST(BetterReading, TakesThePlaceOfADoubtfulSentenceIfItIsWellTaught) {
   const auto replaces = [](double sentence, double hypothesis,
                            const Context& context) {
     std::vector<BuiltAct> acts{act(2, sentence)};
-    return prefer_better(acts, act(0, hypothesis), schema(), context, true);
+    return prefer_better(acts, act(0, hypothesis), context, true);
   };
   EXPECT_TRUE(replaces(0.5, 0.7, {}));
   EXPECT_FALSE(replaces(0.5, 0.55, {})); // not likely enough
@@ -91,9 +104,9 @@ TEST(BetterReading, TakesThePlaceOfADoubtfulSentenceIfItIsWellTaught) {
 // Topic 1 is an enquiry.
 TEST(BetterReading, BeginsNoTaskInsteadOfAnAnswer) {
   std::vector<BuiltAct> acts{act(1, 0.5)};
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), schema(), {}, true));
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), {}, true));
   acts = {act(0, 0.5)};
-  EXPECT_TRUE(prefer_better(acts, act(1, 0.9), schema(), {}, true));
+  EXPECT_TRUE(prefer_better(acts, act(1, 0.9), {}, true));
 }
 
 TEST(BetterReading, LosesNoValueThatWasSaid) {
@@ -104,7 +117,7 @@ TEST(BetterReading, LosesNoValueThatWasSaid) {
     std::vector<BuiltAct> acts{sentence};
     auto hypothesis = act(0, 0.9);
     hypothesis.fills = {found};
-    return prefer_better(acts, hypothesis, schema(), {}, true);
+    return prefer_better(acts, hypothesis, {}, true);
   };
   auto found = fill("Time", 3, 5);
   EXPECT_FALSE(takes(found)); // nothing but words
@@ -115,16 +128,57 @@ TEST(BetterReading, LosesNoValueThatWasSaid) {
   EXPECT_TRUE(takes(fill("Host", 1, 2)));
 }
 
-TEST(BetterReading, LeavesCourtesyAndWhoWantsAPerson) {
-  for (const auto* about : {"thank", "person", "deny", "greet"}) {
+// A refusal has no topic.
+TEST(BetterReading, ARefusalTakesThePlaceOfNoSentence) {
+  std::vector<BuiltAct> acts{act(2, 0.5)};
+  EXPECT_FALSE(prefer_better(acts, act(no_topic, 0.9), {}, true));
+  EXPECT_EQ(acts[0].topic, 2U);
+}
+
+TEST(BetterReading, AGreetingOnlyOpensWhatIsSaid) {
+  for (const auto* about : {"greet", "thank", "confirm"}) {
+    std::vector<BuiltAct> acts{act(no_topic, 0.5)};
+    acts[0].act = about;
+    EXPECT_TRUE(leaves_open(acts)) << about;
+    EXPECT_TRUE(prefer_better(acts, act(0, 0.45), {}, true)) << about;
+    EXPECT_EQ(acts[0].topic, 0U);
+  }
+  std::vector<BuiltAct> acts{act(no_topic, 1)};
+  acts[0].act = "greet";
+  EXPECT_FALSE(leaves_open(acts)); // nothing else is said
+}
+
+TEST(BetterReading, AYesThatIsAskedForOpensNothing) {
+  Context asks;
+  asks.confirms = {"book"};
+  std::vector<BuiltAct> acts{act(no_topic, 0.5)};
+  acts[0].act = "confirm";
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), asks, true));
+}
+
+TEST(BetterReading, AWordThatAsksIsNotLeft) {
+  const Automaton automaton;
+  const auto utterance =
+      make_utterance("and Macbeth, when does that come", automaton);
+  auto found = act(2, 0.97);
+  found.end = 2;
+  EXPECT_TRUE(leaves_open({found}, utterance));
+  std::vector<BuiltAct> acts{found};
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.7), {}, true, utterance));
+  found.end = 6;
+  EXPECT_FALSE(leaves_open({found}, utterance));
+}
+
+TEST(BetterReading, LeavesANoAndWhoWantsAPerson) {
+  for (const auto* about : {"person", "deny", "correct"}) {
     std::vector<BuiltAct> acts{act(no_topic, 0.5)};
     acts[0].act = about;
     EXPECT_FALSE(leaves_open(acts)) << about;
-    EXPECT_FALSE(prefer_better(acts, act(0, 0.9), schema(), {}, true)) << about;
+    EXPECT_FALSE(prefer_better(acts, act(0, 0.9), {}, true)) << about;
   }
   std::vector<BuiltAct> acts{act(no_topic, 0.5)};
   acts[0].act = "repeat";
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.9), schema(), {}, true));
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.9), {}, true));
 }
 
 TEST(BetterReading, AnExpectedValueNeedsMuchMore) {
@@ -132,11 +186,11 @@ TEST(BetterReading, AnExpectedValueNeedsMuchMore) {
   context.resting = 2;
   std::vector<BuiltAct> acts{act(2, 0.6, true)};
   acts[0].fills = {fill("Time", 0, 1)};
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.75), schema(), context, true));
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.85), schema(), context, true));
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.85), context, true));
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.95), context, true));
   context.asked_topic = 2;
   acts = {act(2, 0.3, true)};
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.95), schema(), context, true));
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.95), context, true));
 }
 
 } // namespace

@@ -198,7 +198,7 @@ TEST(Wordings, MeanNothingWithoutTheValuesThatAllOfThemSay) {
 // A yes or no is waited for: more is needed to do something else.
 TEST(Wordings, AreDoubtedBesideAYes) {
   const auto engine = well_taught();
-  const auto* text = "hoping that you would";
+  const auto* text = "I was hoping that somebody would";
   EXPECT_FALSE(engine.understand(text).acts.empty());
   EXPECT_TRUE(
       engine.understand(text, Value(Map{{"confirms", "shall I book it"}}))

@@ -329,8 +329,9 @@ private:
       std::erase_if(acts_, [](const BuiltAct& act) {
         return act.topic == no_topic && act.act == "correct";
       });
-    const auto is_polite = [](const BuiltAct& act) {
-      return act.topic == no_topic && is_courtesy(act.act);
+    const auto is_polite = [&](const BuiltAct& act) {
+      return act.topic == no_topic &&
+             (is_courtesy(act.act) || is_opening(act.act, context_));
     };
     if (!std::ranges::all_of(acts_, is_polite))
       std::erase_if(acts_, is_polite);

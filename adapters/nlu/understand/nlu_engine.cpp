@@ -275,6 +275,15 @@ bool is_one_far_fetched(const std::vector<BuiltAct>& acts,
   });
 }
 
+void apply_corrections(std::vector<BuiltAct>& acts, const Utterance& utterance,
+                       const Spans& spans, const Schema& schema,
+                       const Context& context) {
+  for (auto& act : acts)
+    correct_what_was_said(act, spans, context);
+  join_corrections(acts, schema);
+  leave_out_taken_back(acts, utterance, spans, schema, context);
+}
+
 } // namespace
 
 Understanding NluEngine::read(std::string_view text, const Value& context_value,
@@ -315,10 +324,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   const bool is_other =
       !(guessed && learned.is_well_taught()) &&
       likeness.leave_out_other_talk(acts, meant, spans, learned, context);
-  for (auto& act : acts)
-    correct_what_was_said(act, spans, context);
-  join_corrections(acts, schema);
-  leave_out_taken_back(acts, utterance, spans, schema, context);
+  apply_corrections(acts, utterance, spans, schema, context);
   Understanding made;
   made.work = matcher.work();
   made.coverage = guessed ? 0 : coverage_of(chains[0], utterance);

@@ -63,12 +63,16 @@ create table place (
   opens       varchar(5)   not null,
   closes      varchar(5)   not null,
   price       varchar(60)  not null,   -- to be spoken, or empty
+  cents       integer      not null,   -- what one unit costs, or 0
+  unit        varchar(8)   not null,   -- day, hour, page, bag, person, or empty
   description varchar(160) not null    -- a sentence to be spoken
 ) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
 
 create table fact (
   thing  varchar(40)  primary key,
-  answer varchar(255) not null
+  answer varchar(255) not null,
+  cents  integer      not null,   -- as of a place
+  unit   varchar(8)   not null
 ) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
 
 -- What is vegan suits vegetarians, too; what suits neither has meat or fish. What fills is told first, and what has

@@ -1,5 +1,10 @@
 create table place (name text primary key);
-create table thing (name text primary key, place text not null references place (name));
+-- What a thing is good for: drink, eat or read; empty for others.
+create table thing (
+  name text primary key,
+  place text not null references place (name),
+  good_for text not null
+);
 create table errand (
   thing text not null references thing (name),
   place text not null references place (name),

@@ -52,6 +52,14 @@ create table house_rule (
   answer varchar(255) not null
 ) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
 
+-- What one costs: a day, a page, a card; so that several can be told.
+create table price (
+  thing   varchar(40) not null,   -- house_rule.thing
+  variant varchar(16) not null,   -- a word that is said of it, or nothing
+  cents   integer     not null,
+  primary key (thing, variant)
+) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
+
 -- What readers are told: how many copies stand on the shelf, how many wait, when
 -- the first copy comes back, and on which floor it is, where that is known.
 create view catalogue as

@@ -128,6 +128,8 @@ insert into place (name, floor, description) values
 insert into house_rule (thing, answer) values
   ('joining', 'Bring your passport or identity card to the counter. The card is free for children and costs twelve euros a year for everybody else.'),
   ('loan period', 'Books may be kept for three weeks, films for one. You can renew them twice, unless somebody waits for them.'),
+  ('borrowing', 'Borrowing costs nothing, but you need your card for it. Without one, please ask at the counter: a card is made there while you wait.'),
+  ('reserving', 'Reserving costs nothing. The book waits for you at the counter for a week.'),
   ('fines', 'A book that is late costs twenty cents a day.'),
   ('number of books', 'You may have ten things at a time, and five reservations.'),
   ('wifi', 'The wifi is free. Its name is Library, and it needs no password.'),
@@ -141,3 +143,10 @@ insert into house_rule (thing, answer) values
   ('card number', 'It has five digits. You find it on the back of your card and in every letter from us.'),
   ('blocked card', 'A card is blocked when it was reported as lost, or when something is more than three weeks late. The counter sets it free.'),
   ('damage', 'Please bring it to the counter and do not mend it yourself. Small damage costs nothing.');
+
+insert into price (thing, variant, cents) values
+  ('fines', '', 20),
+  ('printing', '', 10),
+  ('printing', 'colour', 30),
+  ('joining', '', 1200),
+  ('new card', '', 500);

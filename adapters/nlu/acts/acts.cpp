@@ -329,20 +329,22 @@ private:
       std::erase_if(acts_, [](const BuiltAct& act) {
         return act.topic == no_topic && act.act == "correct";
       });
-    const auto is_polite = [&](const BuiltAct& act) {
-      return act.topic == no_topic &&
-             (is_courtesy(act.act) || is_opening(act.act, context_));
+    const auto is_polite = [](const BuiltAct& act) {
+      return act.topic == no_topic && is_courtesy(act.act);
     };
     if (!std::ranges::all_of(acts_, is_polite))
       std::erase_if(acts_, is_polite);
     // Who wants something has not gone yet: "I am off. Lights out. See you."
+    // Nor has who says "okay" to nothing in particular answered.
     const bool wants_something =
         std::ranges::any_of(acts_, [](const BuiltAct& act) {
           return act.topic != no_topic && !act.negated;
         });
     if (wants_something)
-      std::erase_if(acts_, [](const BuiltAct& act) {
-        return act.topic == no_topic && act.act == "bye";
+      std::erase_if(acts_, [&](const BuiltAct& act) {
+        return act.topic == no_topic &&
+               (act.act == "bye" ||
+                is_opening(act.act, act.begin, utterance_, context_));
       });
     // "thank you, thank you" is one act.
     const auto again =

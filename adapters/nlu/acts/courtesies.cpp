@@ -10,12 +10,14 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-bool begins_sentence(const Island& island, const Utterance& utterance) {
-  return utterance.weight_of(stretch_of(utterance.tokens,
-                                        {island.begin, island.end},
-                                        Break::sentence)
-                                 .begin,
-                             island.begin) == 0;
+// "Okay, where is the bank": less than a yes. In "is it open right now", it is
+// none at all.
+bool is_light_yes(const Utterance& utterance, std::uint32_t begin) {
+  const auto sentence =
+      stretch_of(utterance.tokens, {begin, begin + 1}, Break::sentence);
+  return is_one_of(utterance.tokens.list[begin].word,
+                   {"okay", "ok", "right", "alright"}) &&
+         utterance.weight_of(sentence.begin, begin) == 0;
 }
 
 } // namespace
@@ -27,10 +29,11 @@ bool is_courtesy(std::string_view act) {
   return has(acts, act);
 }
 
-bool is_opening(std::string_view act, const Context& context) {
+bool is_opening(std::string_view act, std::uint32_t begin,
+                const Utterance& utterance, const Context& context) {
   return act == "greet" || act == "thank" ||
          (act == "confirm" && context.confirms.empty() &&
-          context.asked_topic == no_topic);
+          context.asked_topic == no_topic && is_light_yes(utterance, begin));
 }
 
 std::vector<bool> courtesy_tokens(const Chain& chain,
@@ -39,11 +42,9 @@ std::vector<bool> courtesy_tokens(const Chain& chain,
   std::vector<bool> polite(utterance.size(), false);
   for (const auto& link : chain.links) {
     const auto& island = *link.island;
-    const bool opens =
-        is_opening(island.act, context) &&
-        (island.act != "confirm" || begins_sentence(island, utterance));
     if (island.rule->generic && !island.is_content() &&
-        (opens || is_courtesy(island.act)))
+        (is_courtesy(island.act) ||
+         is_opening(island.act, island.begin, utterance, context)))
       for (auto token = island.begin; token < island.end; ++token)
         polite[token] = true;
   }

@@ -2,6 +2,7 @@
 // …", "…, thank you". With it or without, a sentence means the same. Pure.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -13,12 +14,13 @@ namespace parlour::adapters::nlu {
 // Whether a generic act is one.
 bool is_courtesy(std::string_view act);
 
-// Whether it only opens or closes what is said: a greeting, thanks, and an
-// "okay" where nothing is asked.
-bool is_opening(std::string_view act, const Context& context);
+// Whether a generic act that begins at this token only opens or closes what is
+// said: a greeting, thanks, and an "okay" at the beginning of a sentence where
+// nothing is asked.
+bool is_opening(std::string_view act, std::uint32_t begin,
+                const Utterance& utterance, const Context& context);
 
-// By token: whether it belongs to either. An "okay" that opens nothing is none:
-// "is it open right now".
+// By token: whether it belongs to either.
 std::vector<bool> courtesy_tokens(const Chain& chain,
                                   const Utterance& utterance,
                                   const Context& context);

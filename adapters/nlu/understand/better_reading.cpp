@@ -56,7 +56,7 @@ bool is_replaceable(const BuiltAct& act) {
 bool BetterReading::are_openings(const std::vector<BuiltAct>& acts) const {
   return std::ranges::all_of(acts, [&](const BuiltAct& act) {
     return act.topic == no_topic && act.score < well_understood &&
-           is_opening(act.act, context_);
+           is_opening(act.act, act.begin, utterance_, context_);
   });
 }
 

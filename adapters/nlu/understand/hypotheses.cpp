@@ -71,7 +71,8 @@ private:
   }
 
   // The longest value that begins in these words. If there is none, the words
-  // of a set count as a value that it does not have.
+  // of a set count as a value that it does not have, but "Jurong now" is no
+  // name.
   std::optional<std::uint32_t> span_of(EntityId entity,
                                        const SlotHypothesis& hypothesis) {
     std::optional<std::uint32_t> best;
@@ -79,7 +80,7 @@ private:
       for (const auto index : spans_.at(entity, at))
         if (!best || spans_[index].end > spans_[*best].end)
           best = index;
-    if (best || is_form(entity))
+    if (best || is_form(entity) || utterance_.function[hypothesis.end - 1])
       return best;
     for (const auto index : spans_.open(entity, hypothesis.begin,
                                         hypothesis.end - hypothesis.begin))

@@ -51,11 +51,20 @@ TEST(Courtesies, WhichActsAreSo) {
   EXPECT_TRUE(is_courtesy("thank"));
   EXPECT_FALSE(is_courtesy("confirm"));
   EXPECT_FALSE(is_courtesy("bye"));
-  EXPECT_TRUE(is_opening("confirm", {}));
-  EXPECT_FALSE(is_opening("help", {}));
+  const Automaton automaton;
+  const auto opens = [&](const char* said, const char* act, std::uint32_t begin,
+                         const Context& context = {}) {
+    return is_opening(act, begin, make_utterance(said, automaton), context);
+  };
+  EXPECT_TRUE(opens("hello there", "greet", 0));
+  EXPECT_FALSE(opens("hello there", "help", 0));
+  EXPECT_TRUE(opens("well okay then", "confirm", 1));
+  EXPECT_TRUE(opens("that is it. okay then", "confirm", 3));
+  EXPECT_FALSE(opens("is it open right now", "confirm", 3));
+  EXPECT_FALSE(opens("yes it is", "confirm", 0));
   Context asks;
   asks.asked_topic = 0;
-  EXPECT_FALSE(is_opening("confirm", asks));
+  EXPECT_FALSE(opens("okay then", "confirm", 0, asks));
 }
 
 } // namespace

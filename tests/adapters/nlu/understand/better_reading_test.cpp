@@ -136,11 +136,14 @@ TEST(BetterReading, ARefusalTakesThePlaceOfNoSentence) {
 }
 
 TEST(BetterReading, AGreetingOnlyOpensWhatIsSaid) {
+  const Automaton automaton;
+  const auto utterance = make_utterance("okay now", automaton);
   for (const auto* about : {"greet", "thank", "confirm"}) {
     std::vector<BuiltAct> acts{act(no_topic, 0.5)};
     acts[0].act = about;
-    EXPECT_TRUE(leaves_open(acts)) << about;
-    EXPECT_TRUE(prefer_better(acts, act(0, 0.45), {}, true)) << about;
+    EXPECT_TRUE(leaves_open(acts, utterance)) << about;
+    EXPECT_TRUE(prefer_better(acts, act(0, 0.45), {}, true, utterance))
+        << about;
     EXPECT_EQ(acts[0].topic, 0U);
   }
   std::vector<BuiltAct> acts{act(no_topic, 1)};
@@ -153,7 +156,9 @@ TEST(BetterReading, AYesThatIsAskedForOpensNothing) {
   asks.confirms = {"book"};
   std::vector<BuiltAct> acts{act(no_topic, 0.5)};
   acts[0].act = "confirm";
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), asks, true));
+  const Automaton automaton;
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), asks, true,
+                             make_utterance("okay now", automaton)));
 }
 
 TEST(BetterReading, AWordThatAsksIsNotLeft) {

@@ -20,7 +20,7 @@ SENTENCES = 80
 MANNERS = ["Good morning, {}", "Okay, {}", "Excuse me, {}", "um {}",
            "{}, please", "{}, thank you"]
 # A courtesy may be what a rule of the application is about.
-MAY_DIFFER = 0.04
+MAY_DIFFER = 0.08
 
 
 def sentences(application):

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "adapters/nlu/acts/courtesies.hpp"
+#include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/word_set.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
@@ -114,6 +115,16 @@ bool BetterReading::is_better_sentence(const BuiltAct& act,
           !schema_.at(act.topic).enquiry);
 }
 
+// Beside what rules found, any words are a value only if they look like one:
+// not "it's the big", nor "Jurong now".
+bool BetterReading::is_clear(const Fill& fill) const {
+  if (fill.span || fill.literal)
+    return true;
+  const TokenRange value{fill.begin, fill.end};
+  return !utterance_.function[fill.end - 1] &&
+         certainty_of_words(utterance_, {value, value, false}) >= 1;
+}
+
 bool BetterReading::choose(std::vector<BuiltAct>& acts,
                            const BuiltAct& hypothesis) const {
   const bool opens = are_openings(acts);
@@ -127,7 +138,8 @@ bool BetterReading::choose(std::vector<BuiltAct>& acts,
   if (acts[0].topic != hypothesis.topic || acts[0].act == "deny")
     return false;
   for (const auto& fill : hypothesis.fills)
-    if (may_fill(acts[0].fills, fill,
+    if (is_clear(fill) &&
+        may_fill(acts[0].fills, fill,
                  schema_.at(hypothesis.topic).takes_many(fill.slot)))
       acts[0].fills.push_back(fill);
   // Several topics take this value, but the whole sentence is about this one:

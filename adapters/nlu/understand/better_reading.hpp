@@ -39,6 +39,7 @@ private:
                           const BuiltAct& hypothesis) const;
   bool leaves_words(const BuiltAct& act) const;
   bool leaves_question(const BuiltAct& act) const;
+  bool is_clear(const Fill& fill) const;
 
   const Schema& schema_;
   const Context& context_;

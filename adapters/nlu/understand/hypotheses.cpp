@@ -71,8 +71,7 @@ private:
   }
 
   // The longest value that begins in these words. If there is none, the words
-  // of a set count as a value that it does not have, but "Jurong now" is no
-  // name.
+  // of a set count as a value that it does not have.
   std::optional<std::uint32_t> span_of(EntityId entity,
                                        const SlotHypothesis& hypothesis) {
     std::optional<std::uint32_t> best;
@@ -80,7 +79,7 @@ private:
       for (const auto index : spans_.at(entity, at))
         if (!best || spans_[index].end > spans_[*best].end)
           best = index;
-    if (best || is_form(entity) || utterance_.function[hypothesis.end - 1])
+    if (best || is_form(entity))
       return best;
     for (const auto index : spans_.open(entity, hypothesis.begin,
                                         hypothesis.end - hypothesis.begin))

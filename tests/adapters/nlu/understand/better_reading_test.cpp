@@ -79,7 +79,10 @@ TEST(BetterReading, AddsWhatWasNotFoundYet) {
   auto hypothesis = act(0, 0.9);
   hypothesis.fills = {fill("Visitor", 4, 6), fill("Host", 0, 1),
                       fill("Firm", 6, 7)};
-  EXPECT_FALSE(prefer_better(acts, hypothesis, {}, false));
+  const Automaton automaton;
+  const auto utterance =
+      make_utterance("zork one zork two zork three zork four", automaton);
+  EXPECT_FALSE(prefer_better(acts, hypothesis, {}, false, utterance));
   ASSERT_EQ(acts[0].fills.size(), 2U);
   EXPECT_EQ(acts[0].fills[1].slot, "Firm");
 }
@@ -159,6 +162,23 @@ TEST(BetterReading, AYesThatIsAskedForOpensNothing) {
   const Automaton automaton;
   EXPECT_FALSE(prefer_better(acts, act(0, 0.9), asks, true,
                              make_utterance("okay now", automaton)));
+}
+
+// Beside what a rule has found.
+TEST(BetterReading, AddsNoWordsThatAreNoName) {
+  const Automaton automaton;
+  const auto utterance =
+      make_utterance("it is the big to Tampines now", automaton);
+  const auto added = [&](std::uint32_t begin, std::uint32_t end) {
+    std::vector<BuiltAct> acts{act(0, 0.95)};
+    auto hypothesis = act(0, 0.9);
+    hypothesis.fills = {fill("Firm", begin, end)};
+    prefer_better(acts, hypothesis, {}, true, utterance);
+    return acts[0].fills.size();
+  };
+  EXPECT_EQ(added(5, 6), 1U);
+  EXPECT_EQ(added(5, 7), 0U);
+  EXPECT_EQ(added(0, 4), 0U);
 }
 
 TEST(BetterReading, AWordThatAsksIsNotLeft) {

@@ -50,6 +50,20 @@ double repeated(const BuiltAct& act, const std::vector<double>& covered,
   return sum;
 }
 
+// Whether the clause from here on says that something is or was: "the sun has
+// come out".
+bool has_verb(const Utterance& utterance, std::size_t at) {
+  for (const auto first = at;
+       at < utterance.size() &&
+       (at == first || utterance.tokens.list[at].before == Break::none);
+       ++at)
+    if (is_one_of(utterance.tokens.list[at].word,
+                  {"is", "are", "was", "were", "has", "have", "had", "does",
+                   "do", "did", "will", "would", "can"}))
+      return true;
+  return false;
+}
+
 // A clause that tells why: "he is busy", "my son is here", "it is only rain".
 // What "it is the blue one" tells is no reason.
 bool tells_why(const Utterance& utterance, std::size_t at) {
@@ -63,6 +77,8 @@ bool tells_why(const Utterance& utterance, std::size_t at) {
   if (is_one_of(word(at), {"it", "that", "this"}))
     return word(at + 1) == "is" &&
            is_one_of(word(at + 2), {"only", "just", "too", "already", "not"});
+  if (word(at) == "the")
+    return has_verb(utterance, at);
   return is_one_of(word(at), {"i", "we", "he", "she", "they", "my", "our",
                               "his", "her", "their", "somebody", "someone",
                               "nobody", "there", "because", "since"});

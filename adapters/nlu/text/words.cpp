@@ -149,11 +149,12 @@ bool follows_is(std::string_view word) {
 
 bool is_vague(std::string_view word) {
   static const Words words{
-      "moment", "minute", "second", "while", "meantime", "time",     "times",
-      "way",    "thing",  "things", "stuff", "bit",      "lot",      "lots",
-      "kind",   "sort",   "idea",   "place", "places",   "question", "problem",
-      "matter", "reason", "case",   "end",   "rest",     "same",     "such",
-      "kinds",  "sorts",  "bits"};
+      "moment", "minute",   "second",  "while",  "meantime", "time",
+      "times",  "way",      "thing",   "things", "stuff",    "bit",
+      "lot",    "lots",     "kind",    "sort",   "idea",     "place",
+      "places", "question", "problem", "matter", "reason",   "case",
+      "end",    "rest",     "same",    "such",   "kinds",    "sorts",
+      "bits",   "point",    "use",     "hurry",  "chance",   "chances"};
   return words.contains(word);
 }
 

@@ -62,8 +62,11 @@ TEST(ActScores, TakeNothingFromARefusalForItsReason) {
             "cancel");
   EXPECT_EQ(acts("No, it's only somebody with leaflets and a silly hat"),
             "deny");
+  EXPECT_EQ(acts("Never mind, the sun has come out again over the big hill"),
+            "cancel");
   // What is meant instead is no reason, and a yes needs none.
   EXPECT_EQ(acts("No, it's the purple one with stripes and a silly hat"), "");
+  EXPECT_EQ(acts("No, the purple one with stripes and a silly hat"), "");
   EXPECT_EQ(acts("Yes, my brother came along with his big red lorry"), "");
 }
 

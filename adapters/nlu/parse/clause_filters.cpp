@@ -87,7 +87,7 @@ public:
     return false;
   }
 
-  // "We'll never make that", "my phone has no signal": part of what is told.
+  // "We'll never make that" corrects nothing.
   bool is_marker_within(const Island& island) const {
     if (!island.is_marker() ||
         !is_one_of(word(island.begin), {"make", "change"}))
@@ -98,6 +98,8 @@ public:
         return true;
     return false;
   }
+
+  // "My phone has no signal" denies nothing.
   bool is_no_within(const Island& island) const {
     return is_generic(island, "deny") && island.end == island.begin + 1 &&
            word(island.begin) == "no" && island.end < clause_of(island).end &&

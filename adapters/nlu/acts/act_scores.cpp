@@ -66,7 +66,9 @@ bool has_verb(const Utterance& utterance, std::size_t at) {
 
 // A clause that tells why: "he is busy", "my son is here", "it is only rain".
 // What "it is the blue one" tells is no reason.
-bool tells_why(const Utterance& utterance, std::size_t at) {
+// "The sun has come out" is one for who calls something off; to a question,
+// "the blue room will do" is an answer.
+bool tells_why(const Utterance& utterance, std::size_t at, bool calls_off) {
   const auto word = [&](std::size_t token) -> std::string_view {
     if (token >= utterance.size())
       return {};
@@ -78,7 +80,7 @@ bool tells_why(const Utterance& utterance, std::size_t at) {
     return word(at + 1) == "is" &&
            is_one_of(word(at + 2), {"only", "just", "too", "already", "not"});
   if (word(at) == "the")
-    return has_verb(utterance, at);
+    return calls_off && has_verb(utterance, at);
   return is_one_of(word(at), {"i", "we", "he", "she", "they", "my", "our",
                               "his", "her", "their", "somebody", "someone",
                               "nobody", "there", "because", "since"});
@@ -91,7 +93,7 @@ bool is_reasoned(const BuiltAct& act, const std::vector<double>& covered,
   if (act.topic != no_topic || !is_one_of(act.act, {"deny", "cancel"}) ||
       utterance.weight_of(0, act.begin) > 0 || act.end >= utterance.size() ||
       utterance.tokens.list[act.end].before == Break::none ||
-      !tells_why(utterance, act.end))
+      !tells_why(utterance, act.end, act.act == "cancel"))
     return false;
   for (auto token = act.end; token < utterance.size(); ++token)
     if (covered[token] > 0 && utterance.weight[token] >= full_weight)

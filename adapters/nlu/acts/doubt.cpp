@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "adapters/nlu/acts/courtesies.hpp"
 #include "adapters/nlu/parse/question_words.hpp"
 #include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/negation.hpp"
@@ -64,6 +65,12 @@ public:
 
   // The order matters: each step removes acts that the next ones would count.
   void run() {
+    // "Okay, never open the door" says no yes.
+    if (any("deny"))
+      std::erase_if(acts_, [&](auto& act) {
+        return is_plain(act, "confirm") &&
+               is_opening(act.act, act.begin, utterance_, context_);
+      });
     std::erase_if(acts_, [&](auto& act) { return is_trailing(act); });
     if (std::erase_if(acts_, [&](auto& act) { return takes_back(act); }) > 0)
       std::erase_if(acts_, [](auto& act) { return is_plain(act, "confirm"); });

@@ -222,15 +222,26 @@ std::optional<bool> is_past(FormReader& reader, std::string_view first) {
   return {};
 }
 
+// "half past", "quarter to" of an hour that was said before: the dialogue knows
+// it.
+std::optional<FormAt> without_hour(const FormReader& reader, std::int64_t count,
+                                   bool past) {
+  return reader.form((past ? "past " : "to ") + clock_text(count), true);
+}
+
 // Reads "half past ten", "a quarter to three", "ten minutes past nine" or "half
 // past noon".
 std::optional<FormAt> relative_time(FormReader reader) {
   const auto first = reader.word() == "a" ? reader.word(1) : reader.word();
   const auto count = fraction(reader);
+  const auto minutes_end = reader.position();
   const auto after = count ? is_past(reader, first) : std::nullopt;
   if (!after)
     return {};
   const bool past = *after;
+  if (reader.position() > minutes_end && reader.ends_clause() &&
+      (first == "half" || first == "quarter"))
+    return without_hour(reader, *count, past);
   if (const auto named = hour_by_name(reader))
     return reader.form(clock_text(*named * 60 + (past ? *count : -*count)));
   const auto hour = reader.number();

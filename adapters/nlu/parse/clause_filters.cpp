@@ -26,12 +26,13 @@ public:
     const auto first = first_of_clause(island);
     if (first >= island.begin)
       return false;
-    return word(island.begin) == "stop"
-               ? asks(word(first))
-               : is_one_of(word(island.begin), {"leave", "drop"}) &&
-                     is_one_of(word(first), {"can", "could", "may", "should",
-                                             "where", "when", "how"}) &&
-                     island.end < clause_of(island).end;
+    if (word(island.begin) == "stop")
+      return asks(word(first));
+    if (!is_one_of(word(island.begin), {"leave", "drop"}))
+      return false;
+    return is_one_of(word(first), {"where", "when", "how"}) ||
+           (is_one_of(word(first), {"can", "could", "may", "should"}) &&
+            !is_ended_politely(island));
   }
 
   // "No, wait, it is the eye clinic" says no yes, and "you can ring him" none.
@@ -57,7 +58,8 @@ public:
     if (!is_generic(island, "confirm"))
       return false;
     const auto first = first_of_clause(island);
-    return first < island.begin && word(first) != "why" && asks(word(first));
+    return first < island.begin && word(first) != "why" && asks(word(first)) &&
+           !is_one_of(word(island.begin), {"yes", "yeah", "yep", "sure"});
   }
 
   // "isn't there a bank?": a question that goes on is none behind a statement.
@@ -104,6 +106,8 @@ public:
     return is_generic(island, "deny") && island.end == island.begin + 1 &&
            word(island.begin) == "no" && island.end < clause_of(island).end &&
            island.begin > clause_of(island).begin && !is_before_value(island) &&
+           !is_one_of(word(island.end), {"to", "from", "for", "now", "then",
+                                         "sorry", "please", "thank"}) &&
            is_one_of(word(island.begin - 1),
                      {"have",  "has",  "had",  "got",  "is",   "are",
                       "was",   "were", "get",  "gets", "with", "there",
@@ -182,6 +186,17 @@ private:
              (other.is_marker() ||
               (is_generic(other, "wait") && follows_marker(other)));
     });
+  }
+
+  // "can we leave it for now please"
+  bool is_ended_politely(const Island& island) const {
+    const auto end = clause_of(island).end;
+    for (auto token = island.end; token < end; ++token)
+      if (!utterance_.filler[token] &&
+          !is_one_of(word(token), {"now", "then", "thanks", "thank", "you",
+                                   "for", "the", "moment", "after", "all"}))
+        return false;
+    return true;
   }
 
   // "we have no towels"

@@ -13,6 +13,7 @@
 #include "adapters/nlu/forms/first_words.hpp"
 #include "adapters/nlu/forms/number_words.hpp"
 #include "adapters/nlu/text/words.hpp"
+#include "runtime/text/shifted_time.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -109,6 +110,8 @@ void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
       if (!found || found->length == 0 ||
           (found->length == 1 && is_pronoun(utterance_.tokens, at)))
         continue;
+      if (form == Form::time)
+        lean_on_time_before(found->value);
       Span span{entity, at,    at, at, std::move(found->value), {}, 1,
                 false,  false, 0,  0};
       span.end += static_cast<std::uint32_t>(found->length);
@@ -117,6 +120,16 @@ void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
       add(std::move(span));
     }
   }
+}
+
+// "At quarter past ten. No, half past."
+void Spans::lean_on_time_before(Value& time) const {
+  for (auto span = spans_.rbegin(); span != spans_.rend(); ++span)
+    if (span->entity == static_cast<EntityId>(Form::time))
+      if (auto moved = shifted_time(span->value, time); !moved.is_unknown()) {
+        time = std::move(moved);
+        return;
+      }
 }
 
 // The tokens of a time or date are part of no name: "Dr. Ho tomorrow".

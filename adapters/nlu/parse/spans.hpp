@@ -81,6 +81,7 @@ private:
   void add(Span span);
   void order();
   Indices all_at(std::size_t position) const;
+  void lean_on_time_before(Value& time) const;
   void mark_plain(const Span& span);
   // Whether a value of any set begins here and is clearly meant.
   bool is_known(std::size_t position) const;

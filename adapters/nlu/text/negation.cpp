@@ -36,6 +36,21 @@ const Words& states_of_mind() {
 // "No wake-up call then"
 constexpr std::size_t longest_refusal = 5;
 
+const Words& settles() {
+  static const Words words{"then",     "thanks",  "please", "needed",
+                           "required", "anymore", "all"};
+  return words;
+}
+
+// What follows "never" in a report: "never heard", "never received".
+bool is_past(std::string_view word) {
+  static const Words words{"heard", "got",  "came", "went", "saw",  "had",
+                           "said",  "told", "was",  "were", "been", "found",
+                           "knew",  "took", "gave", "met",  "did",  "thought"};
+  return word.ends_with("ed") ? word != "need" && word != "feed"
+                              : words.contains(word);
+}
+
 class Negations {
 public:
   explicit Negations(const Tokens& tokens) : tokens_(tokens.list) {}
@@ -57,13 +72,11 @@ public:
     while (is_linking_word(word(token)) && word(token) != "have");
     return word(token);
   }
-  // Whether the negation is imperative: "do not", "please not", "must not", and
-  // "never" where a clause begins. "I never heard back" tells something.
+  // Whether the negation is imperative: "do not", "please not", "must not",
+  // "never". "I never heard back" tells something.
   bool is_order(std::size_t token) const {
     const auto before = word(token - 1);
-    const bool begins = token == 0 || tokens_[token].before != Break::none;
-    return (word(token) == "never" && begins &&
-            !word(token + 1).ends_with("ed")) ||
+    return (word(token) == "never" && !is_past(word(token + 1))) ||
            before == "do" || before == "please" || before == "must" ||
            before == "should";
   }
@@ -71,15 +84,17 @@ public:
     const auto what = object(token);
     return is_order(token) && !what.empty() && !states_of_mind().contains(what);
   }
-  // "… No taxi then.": the last sentence, with little behind the "no".
+  // "… No taxi then.": the last sentence, if it is short and says that
+  // something is settled. "No hurry", "no hot water" tell something.
   bool ends_without() const {
     auto first = tokens_.size();
     while (first > 0 && (first == tokens_.size() ||
                          tokens_[first].before != Break::sentence))
       --first;
     const auto length = tokens_.size() - first;
-    return word(first) == "no" && length > 1 && length <= longest_refusal &&
-           tokens_[first + 1].before == Break::none;
+    return word(first) == "no" && length > 2 && length <= longest_refusal &&
+           tokens_[first + 1].before == Break::none &&
+           settles().contains(tokens_.back().word);
   }
 
 private:

@@ -67,21 +67,35 @@ const Words& function_words() {
 }
 
 // Longer phrases need not come first: every phrase that matches is marked.
-constexpr std::array<std::string_view, 27> fillers{
-    "er",        "erm",
-    "um",        "uh",
-    "uhm",       "hmm",
-    "ah",        "eh",
-    "oh",        "well",
-    "please",    "by the way",
-    "excuse me", "you know",
-    "i think",   "actually",
-    "so",        "ok so",
-    "okay so",   "kindly",
-    "lah",       "if you do not mind",
-    "as well",   "maybe",
-    "perhaps",   "just",
-    "basically"};
+constexpr std::array<std::string_view, 29> fillers{"on second thoughts",
+                                                   "on second thought",
+                                                   "er",
+                                                   "erm",
+                                                   "um",
+                                                   "uh",
+                                                   "uhm",
+                                                   "hmm",
+                                                   "ah",
+                                                   "eh",
+                                                   "oh",
+                                                   "well",
+                                                   "please",
+                                                   "by the way",
+                                                   "excuse me",
+                                                   "you know",
+                                                   "i think",
+                                                   "actually",
+                                                   "so",
+                                                   "ok so",
+                                                   "okay so",
+                                                   "kindly",
+                                                   "lah",
+                                                   "if you do not mind",
+                                                   "as well",
+                                                   "maybe",
+                                                   "perhaps",
+                                                   "just",
+                                                   "basically"};
 
 struct Contraction {
   std::string_view word;

@@ -44,7 +44,7 @@ bool keeps_values(const BuiltAct& hypothesis, const BuiltAct& act) {
 
 // Acts about the conversation for which a part of a sentence about a topic may
 // be taken: "repeat the alarm". A yes or no is never replaced, nor who wants a
-// person, nor courtesy.
+// person; courtesy only where it opens what is said.
 bool is_replaceable(const BuiltAct& act) {
   static const WordSet kept{"confirm", "deny",  "correct", "person",
                             "thank",   "greet", "bye"};

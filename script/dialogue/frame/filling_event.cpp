@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/text/shifted_time.hpp"
 #include "script/dialogue/frame/grounding.hpp"
 #include "script/dialogue/frame/matching.hpp"
-#include "script/dialogue/frame/shifted_time.hpp"
 
 namespace parlour::dialogue {
 

@@ -20,6 +20,7 @@ TEST(ClauseFilters, LeaveOutTheStopOfAQuestion) {
   EXPECT_EQ(understood("can I leave it with you"), "");
   EXPECT_EQ(understood("where can I drop it now"), "");
   EXPECT_EQ(understood("can we please leave it"), "cancel");
+  EXPECT_EQ(understood("can we leave it for now please"), "cancel");
   EXPECT_EQ(understood("stop"), "cancel");
   EXPECT_EQ(understood("where are we, stop"), "cancel");
   EXPECT_EQ(understood("the taxis stop"), "cancel");

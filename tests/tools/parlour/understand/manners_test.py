@@ -27,13 +27,15 @@ def sentences(application):
     lines = (application / "wordings.tsv").read_text(encoding="utf-8").splitlines()
     said = [re.sub(r"\[([^]]*)\]\(\w+\)", r"\1", line.split("\t")[1])
             for line in lines if "\t" in line and not line.startswith("#")]
-    return [text.rstrip(" .!") for text in said[::len(said) // SENTENCES]]
+    step = max(1, len(said) // SENTENCES)
+    return [text.rstrip(" .!") for text in said[::step]]
 
 
 def meaning(understood):
     return [(act.get("topic"), act["act"],
              {name: slot.get("value") for name, slot in act["slots"].items()})
-            for act in understood["acts"] if act.get("topic")]
+            for act in understood["acts"]
+            if act.get("topic") or act["act"] in ("deny", "cancel")]
 
 
 class Manners(ProgramCase):
@@ -45,7 +47,9 @@ class Manners(ProgramCase):
             input="\n".join(texts) + "\n", capture_output=True, text=True,
             env={**os.environ, "HOME": str(self.folder)}, check=False)
         self.assertEqual(run.returncode, 0, run.stderr)
-        return [meaning(json.loads(line)) for line in run.stdout.splitlines()]
+        lines = run.stdout.splitlines()
+        self.assertEqual(len(lines), len(texts))
+        return [meaning(json.loads(line)) for line in lines]
 
     def test_courtesies_change_nothing(self):
         applications = sorted(path.parent

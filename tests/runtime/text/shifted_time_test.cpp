@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "script/dialogue/frame/shifted_time.hpp"
+#include "runtime/text/shifted_time.hpp"
 
-namespace parlour::dialogue {
+namespace parlour {
 
 namespace {
 
@@ -11,6 +11,15 @@ TEST(ShiftedTime, MovesATimeWithinTheDay) {
   EXPECT_EQ(shifted_time("15:00", "-00:30"), Value("14:30"));
   EXPECT_EQ(shifted_time("23:15", "+00:44"), Value("23:59"));
   EXPECT_EQ(shifted_time("00:30", "-00:30"), Value("00:00"));
+}
+
+TEST(ShiftedTime, ChangesTheMinutesOfTheHourThatIsSaid) {
+  EXPECT_EQ(shifted_time("10:15", "past 00:30"), Value("10:30"));
+  EXPECT_EQ(shifted_time("06:00", "past 00:30"), Value("06:30"));
+  EXPECT_EQ(shifted_time("09:45", "past 00:15"), Value("10:15")); // to ten
+  EXPECT_EQ(shifted_time("10:15", "to 00:15"), Value("09:45"));
+  EXPECT_TRUE(shifted_time("00:10", "to 00:15").is_unknown());
+  EXPECT_TRUE(shifted_time("23:45", "past 00:30").is_unknown());
 }
 
 TEST(ShiftedTime, ChangesNoDate) {
@@ -28,4 +37,4 @@ TEST(ShiftedTime, NeedsATimeAndADifference) {
 
 } // namespace
 
-} // namespace parlour::dialogue
+} // namespace parlour

@@ -118,11 +118,11 @@ bool is_whole_sentence(const BuiltAct& act, const std::vector<double>& covered,
 } // namespace
 
 // An act is scored on the tokens from its begin to the begin of the next one,
-// a refusal without its reason, one about a topic without the courtesies around
-// it; one that a rule declares, within its clauses, one that is a whole
-// sentence within that: "What a big house. Where do I find Kelvin Ho?" asks a
-// clear question. A mere value among much that is not understood says little,
-// whatever clause it is in.
+// a refusal without its reason, all without the courtesies around them; one
+// that a rule declares, within its clauses, one that is a whole sentence within
+// that: "What a big house. Where do I find Kelvin Ho?" asks a clear question. A
+// mere value among much that is not understood says little, whatever clause it
+// is in.
 void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
                 const Utterance& utterance, const Context& context) {
   const auto covered = coverage(chain, utterance.size());
@@ -145,8 +145,11 @@ void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
         act, covered, utterance, context,
         {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)});
     double whole = 0;
+    const auto is_its_own = [&](std::size_t token) {
+      return act.topic == no_topic && act.begin <= token && token < act.end;
+    };
     for (auto token = first; token < last; ++token)
-      if (act.topic == no_topic || !polite[token]) {
+      if (!polite[token] || is_its_own(token)) {
         sum += covered[token];
         whole += utterance.weight[token];
       }

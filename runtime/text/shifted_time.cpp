@@ -1,7 +1,6 @@
 #include "runtime/text/shifted_time.hpp"
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace parlour {
@@ -21,15 +20,6 @@ std::optional<int> minutes_in(std::string_view text) {
   return (digit(0) * 10 + digit(1)) * 60 + digit(3) * 10 + digit(4);
 }
 
-std::string clock_of(int minutes) {
-  std::string text = "00:00";
-  text[0] += static_cast<char>(minutes / 600);
-  text[1] += static_cast<char>(minutes / 60 % 10);
-  text[3] += static_cast<char>(minutes % 60 / 10);
-  text[4] += static_cast<char>(minutes % 10);
-  return text;
-}
-
 bool skip(std::string_view& text, std::string_view begin) {
   const bool found = text.starts_with(begin);
   text.remove_prefix(found ? begin.size() : 0);
@@ -42,6 +32,16 @@ int spoken_hour(int minutes) {
 }
 
 } // namespace
+
+std::string clock_text(std::int64_t minutes) {
+  const auto day = (minutes % minutes_of_day + minutes_of_day) % minutes_of_day;
+  std::string text = "00:00";
+  text[0] += static_cast<char>(day / 600);
+  text[1] += static_cast<char>(day / 60 % 10);
+  text[3] += static_cast<char>(day % 60 / 10);
+  text[4] += static_cast<char>(day % 10);
+  return text;
+}
 
 Value shifted_time(const Value& time, const Value& said) {
   if (!time.if_string() || !said.if_string())
@@ -59,7 +59,7 @@ Value shifted_time(const Value& time, const Value& said) {
   const int moved = past || later ? from + *by : from - *by;
   if (moved < 0 || moved >= minutes_of_day)
     return {};
-  return clock_of(moved);
+  return clock_text(moved);
 }
 
 } // namespace parlour

@@ -53,10 +53,10 @@ double repeated(const BuiltAct& act, const std::vector<double>& covered,
 // Whether the clause from here on says that something is or was: "the sun has
 // come out".
 bool has_verb(const Utterance& utterance, std::size_t at) {
-  for (const auto first = at;
-       at < utterance.size() &&
-       (at == first || utterance.tokens.list[at].before == Break::none);
-       ++at)
+  const auto first = static_cast<std::uint32_t>(at);
+  const auto end =
+      stretch_of(utterance.tokens, {first, first + 1}, Break::comma).end;
+  for (; at < end; ++at)
     if (is_one_of(utterance.tokens.list[at].word,
                   {"is", "are", "was", "were", "has", "have", "had", "does",
                    "do", "did", "will", "would", "can"}))

@@ -5,6 +5,7 @@
 #include "adapters/nlu/forms/form_reader.hpp"
 #include "adapters/nlu/forms/half_of_day.hpp"
 #include "adapters/nlu/forms/normal_forms.hpp"
+#include "runtime/text/shifted_time.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -22,17 +23,6 @@ struct Time {
 
 // Hours before this one are taken for the afternoon if the half is not said.
 constexpr std::int64_t first_office_hour = 8;
-
-// "15:30". Minutes beyond a day wrap.
-std::string clock_text(std::int64_t minutes) {
-  const auto day = (minutes % 1440 + 1440) % 1440;
-  std::string text = "00:00";
-  text[0] = static_cast<char>('0' + day / 600);
-  text[1] = static_cast<char>('0' + day / 60 % 10);
-  text[3] = static_cast<char>('0' + day % 60 / 10);
-  text[4] = static_cast<char>('0' + day % 10);
-  return text;
-}
 
 // The hour of 24. If the time says no half of the day, its sentence may: that
 // decides for an hour that may be either, but noon stays noon.

@@ -6,6 +6,12 @@ namespace parlour {
 
 namespace {
 
+TEST(ClockText, WrapsBeyondADay) {
+  EXPECT_EQ(clock_text(15 * 60 + 30), "15:30");
+  EXPECT_EQ(clock_text(24 * 60 + 5), "00:05");
+  EXPECT_EQ(clock_text(-15), "23:45");
+}
+
 TEST(ShiftedTime, MovesATimeWithinTheDay) {
   EXPECT_EQ(shifted_time("06:30", "+01:00"), Value("07:30"));
   EXPECT_EQ(shifted_time("15:00", "-00:30"), Value("14:30"));

@@ -35,12 +35,11 @@ int spoken_hour(int minutes) {
 
 std::string clock_text(std::int64_t minutes) {
   const auto day = (minutes % minutes_of_day + minutes_of_day) % minutes_of_day;
-  std::string text = "00:00";
-  text[0] += static_cast<char>(day / 600);
-  text[1] += static_cast<char>(day / 60 % 10);
-  text[3] += static_cast<char>(day % 60 / 10);
-  text[4] += static_cast<char>(day % 10);
-  return text;
+  const auto digit = [](std::int64_t number) {
+    return static_cast<char>('0' + number);
+  };
+  return {digit(day / 600), digit(day / 60 % 10), ':', digit(day % 60 / 10),
+          digit(day % 10)};
 }
 
 Value shifted_time(const Value& time, const Value& said) {

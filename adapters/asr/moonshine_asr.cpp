@@ -35,6 +35,12 @@ const std::vector<OptionDescription> options = {
      "the file moonshine.mjs; its packages are beside it. Otherwise the one "
      "that comes with Parlour"},
     {"node", "node", "Node.js, a name or a path"},
+    {"network",
+     "base",
+     "base hears better; tiny takes two thirds of its time and less memory",
+     false,
+     OptionType::choice,
+     {"base", "tiny"}},
     {"timeout", "10s", "how long a result may take, else it is started again",
      false, OptionType::duration},
     {"conversations", "dialogues",
@@ -116,7 +122,8 @@ Expected<ProgramOrder> MoonshineASR::program_order(const Options& given) const {
       .map([&](const Place& place) {
         ProgramOrder order;
         order.program = place.node;
-        order.arguments = {place.program.string()};
+        order.arguments = {place.program.string(), "--network",
+                           option_value(given, options, "network")};
         order.answer_within =
             *parse_duration(option_value(given, options, "timeout"));
         return order;
@@ -174,7 +181,7 @@ void MoonshineASR::prepare_grammars() {
 }
 
 void MoonshineASR::make_grammars() {
-  MoonshineGrammars made{asr::Language(sources_)};
+  MoonshineGrammars made{asr::language_store().get(sources_)};
   for (auto& frame : language_frames(made.domain_model(), !any_words_))
     program_->send(std::move(frame));
   const std::lock_guard lock(mutex_);

@@ -13,8 +13,6 @@ namespace {
 constexpr std::size_t most_known = 32;
 // Of each list of names; the frame has its own bound (moonshine_frames.cpp).
 constexpr std::size_t most_values = 2'000;
-// For the domain model, which is sent to the program as a whole.
-constexpr std::size_t drawn_sentences = 20'000;
 
 // As it stands where a sentence begins.
 std::string capital(std::string phrase) {
@@ -54,9 +52,9 @@ MoonshineGrammars::narrow(const std::vector<std::string>& names) {
     return *found;
   if (known_.size() == most_known)
     known_.erase(known_.begin());
-  Narrow made{names, language_.sentences(names), {}};
+  Narrow made{names, language().sentences(names), {}};
   if (made.graph)
-    made.words = words_of(language_.phrases(*made.graph, most_values));
+    made.words = words_of(language().phrases(*made.graph, most_values));
   known_.push_back(std::move(made));
   return known_.back();
 }
@@ -66,18 +64,12 @@ const Words* MoonshineGrammars::words(const std::vector<std::string>& names) {
   return known.graph ? &known.words : nullptr;
 }
 
-std::string MoonshineGrammars::domain_model() const {
-  return language_.sentences().arc_count() == 0
-             ? std::string()
-             : language_.arpa(drawn_sentences);
-}
-
 std::optional<bool>
 MoonshineGrammars::ends(const std::vector<std::string>& names,
                         const std::string& text) {
   const auto& known = narrow(names);
-  return language_.ends(known.graph ? *known.graph : language_.sentences(),
-                        asr::spoken_words(text));
+  return language().ends(known.graph ? *known.graph : language().sentences(),
+                         asr::spoken_words(text));
 }
 
 } // namespace parlour::adapters::moonshine

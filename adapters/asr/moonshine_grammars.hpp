@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "adapters/asr/moonshine_frames.hpp"
-#include "adapters/asr/words/language.hpp"
+#include "adapters/asr/words/language_store.hpp"
 
 namespace parlour::adapters::moonshine {
 
@@ -18,8 +18,8 @@ namespace parlour::adapters::moonshine {
 // The instance is replaced as a whole when a column has new values.
 class MoonshineGrammars {
 public:
-  explicit MoonshineGrammars(asr::Language language)
-      : language_(std::move(language)) {}
+  explicit MoonshineGrammars(std::shared_ptr<const asr::MadeLanguage> made)
+      : made_(std::move(made)) {}
 
   // The phrases of these grammars, rules, slots, columns or forms, and of what
   // is said in any conversation; null if no name is known.
@@ -33,7 +33,9 @@ public:
 
   // Which words follow each other in all of them, in the ARPA format; empty if
   // there are none.
-  std::string domain_model() const;
+  const std::string& domain_model() const {
+    return made_->domain_model;
+  }
 
 private:
   // What was prepared for one list of names.
@@ -44,7 +46,11 @@ private:
   };
   const Narrow& narrow(const std::vector<std::string>& names);
 
-  asr::Language language_;
+  const asr::Language& language() const {
+    return made_->language;
+  }
+
+  std::shared_ptr<const asr::MadeLanguage> made_;
   std::vector<Narrow> known_; // a few
 };
 

@@ -28,7 +28,7 @@ struct PlaceOrder {
   std::string otherwise = "SphinxASR";
   // What the program loads, beside it.
   std::vector<std::string> packages = {
-      "onnxruntime-node", "@moonshine-ai/moonshine-js", "llama-tokenizer-js"};
+      "onnxruntime-node", "@usefulsensors/moonshine-js", "llama-tokenizer-js"};
 };
 
 // The error, of kind Settings, names what is missing and how to get it.

@@ -18,8 +18,6 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
-// In bytes: two minutes of speech.
-constexpr std::size_t most_unsent = 4 << 20;
 // How long a program that has closed its output may take to exit.
 constexpr Milliseconds last_breath{500};
 
@@ -153,7 +151,7 @@ void MoonshineProgram::send(std::string frame) {
     if (!connection_)
       return;
     unsent_ += frame;
-    if (unsent_.size() > most_unsent)
+    if (unsent_.size() > order_.most_unsent)
       return end("it does not read what it is sent");
     write();
   });

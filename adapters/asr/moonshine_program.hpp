@@ -2,6 +2,7 @@
 // writes to it, reads from it and waits for what it owes.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -27,6 +28,9 @@ struct ProgramOrder {
   std::vector<std::string> arguments;
   Milliseconds ready_within{60'000};
   Milliseconds answer_within{10'000};
+  // In bytes. While it loads, the application's domain model waits: seven
+  // megabytes for the receptionist, and again whenever a column has new values.
+  std::size_t most_unsent = 64 << 20;
 };
 
 // All are called on the loop's thread, and not during or after the destructor.

@@ -66,11 +66,15 @@ std::string digits_of_parts(std::string_view body) {
   return digits;
 }
 
-// "a.m" (its last point is punctuation) as "am"; "10.30" as "10:30".
+// "a.m" (its last point is punctuation) as "am"; "10.30" as "10:30"; "to-day",
+// as it was once written, as "today".
 std::string typed_word(const Word& word) {
   std::string body(word.body);
   if (same(body, "a.m") || same(body, "p.m"))
     return body.erase(1, 1);
+  for (const std::string_view day : {"to-day", "to-night", "to-morrow"})
+    if (same(body, day))
+      return body.erase(2, 1);
   const auto point = body.find('.');
   const bool is_time = (point == 1 || point == 2) && body.size() == point + 3 &&
                        body[point + 1] < '6';
@@ -113,9 +117,34 @@ Number number_at(const std::vector<std::string>& words, std::size_t first) {
   return number.digits.size() < least ? Number() : number;
 }
 
+// The words from one on that are the letters of one: "H. R." for "HR".
+// `words` 0: there are not two of them.
+struct Initials {
+  std::string letters;
+  std::size_t words = 0;
+  std::string_view end; // the punctuation behind the last letter's point
+};
+
+Initials initials_at(const std::vector<std::string>& words, std::size_t first) {
+  Initials initials;
+  for (auto at = first; at < words.size(); ++at) {
+    const auto [body, end] = divided(words[at]);
+    if (body.size() != 1 ||
+        !std::isupper(static_cast<unsigned char>(body[0])) ||
+        !end.starts_with('.'))
+      break;
+    initials.letters += body;
+    ++initials.words;
+    initials.end = end.substr(1);
+    if (!initials.end.empty())
+      break;
+  }
+  return initials.words < 2 ? Initials() : initials;
+}
+
 } // namespace
 
-// From left to right: the longest number first, else one word.
+// From left to right: the longest number first, else initials, else one word.
 std::string typed_text(std::string_view spoken) {
   const auto words = split_words(spoken);
   std::string text;
@@ -126,6 +155,11 @@ std::string typed_text(std::string_view spoken) {
     if (number.words > 0) {
       (text += number.digits) += number.end;
       at += number.words;
+      continue;
+    }
+    if (const auto initials = initials_at(words, at); initials.words > 0) {
+      (text += initials.letters) += initials.end;
+      at += initials.words;
       continue;
     }
     const auto word = divided(words[at++]);

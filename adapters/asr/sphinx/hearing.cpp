@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "adapters/asr/words/agreement.hpp"
+#include "adapters/asr/words/language_store.hpp"
 #include "adapters/asr/words/pronunciations.hpp"
 
 namespace parlour::adapters::asr {
@@ -15,7 +16,6 @@ namespace {
 
 constexpr const char* everything = "everything";
 constexpr const char* domain = "domain";
-constexpr std::size_t drawn_sentences = 20'000;
 // Searches of one decoder, which keep their memory.
 constexpr std::size_t most_narrow = 16;
 // The domain model joins words freely: if they are a sentence all the same, by
@@ -48,7 +48,8 @@ std::string text_of(const std::vector<std::string>& words) {
 // what its dictionary lacks.
 Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
                                      const std::string& model) {
-  auto language = std::make_shared<Language>(sources);
+  const auto spoken = language_store().get(sources);
+  const std::shared_ptr<const Language> language(spoken, &spoken->language);
   const auto sounds = model_sounds(model, language->words(),
                                    given_sounds(sources.model.pronunciations));
   if (!sounds)
@@ -58,8 +59,8 @@ Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
   auto grammar = language->fsg(language->sentences());
   made.grammar = std::move(grammar.text);
   made.is_whole = grammar.is_whole;
-  made.domain = language->arpa(drawn_sentences);
-  made.language = std::move(language);
+  made.domain = {spoken, &spoken->domain_model};
+  made.language = language;
   return made;
 }
 
@@ -77,7 +78,7 @@ Expected<Hearing> Hearing::make(std::shared_ptr<const Vocabulary> vocabulary,
   if (auto added = grammar->add_grammar(everything, vocabulary->grammar);
       !added)
     return tl::make_unexpected(added.error());
-  if (auto added = second->add_domain(domain, vocabulary->domain); !added)
+  if (auto added = second->add_domain(domain, *vocabulary->domain); !added)
     return tl::make_unexpected(added.error());
   return Hearing(std::move(vocabulary), std::move(*grammar),
                  std::move(*second));

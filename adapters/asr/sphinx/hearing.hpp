@@ -37,7 +37,7 @@ struct Vocabulary {
   std::string dictionary;
   std::string grammar;  // FSG
   bool is_whole = true; // the grammar: else it has more than can be heard
-  std::string domain;   // ARPA
+  std::shared_ptr<const std::string> domain; // ARPA
 };
 
 // Makes it, with the sounds that the dictionary of the model has, and those of

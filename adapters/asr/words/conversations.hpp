@@ -16,6 +16,8 @@ struct Conversations {
   std::vector<std::string> lines;
   // Topic.Slot and its value.
   std::vector<std::pair<std::string, std::string>> values;
+
+  bool operator==(const Conversations&) const = default;
 };
 
 // Adds what the text of one conversation has.

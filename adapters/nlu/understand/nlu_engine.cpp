@@ -177,7 +177,7 @@ struct NluEngine::Implementation {
                                schema.at(like.meaning.topic).name,
                                like.sentence));
     if (is_other_talk)
-      lines.push_back("more like other talk than like any rule");
+      lines.emplace_back("more like other talk than like any rule");
     return lines;
   }
 };

@@ -18,7 +18,7 @@ public:
     std::filesystem::copy_file(
         source_path("tests/adapters/asr/fake_moonshine.py"), program());
     for (const auto* const package :
-         {"onnxruntime-node", "@moonshine-ai/moonshine-js",
+         {"onnxruntime-node", "@usefulsensors/moonshine-js",
           "llama-tokenizer-js", "@ricky0123/vad-web"})
       std::filesystem::create_directories(folder_.path() / "node_modules" /
                                           package);

@@ -10,7 +10,7 @@ using testing::Not;
 
 class MoonshineGrammarsTest : public testing::Test {
 protected:
-  static asr::Language language() {
+  static std::shared_ptr<const asr::MadeLanguage> language() {
     asr::LanguageSources sources;
     sources.model.topics.push_back(
         {"Visit", false, {{"Host", "query", {}, "db:staff.name"}}, {}});
@@ -21,7 +21,7 @@ protected:
       return Expected<std::vector<std::string>>({"Jeffery Ho", "Siti"});
     };
     sources.generic = {"generic", "public <yes> = yes;", {}};
-    return asr::Language(sources);
+    return std::make_shared<asr::MadeLanguage>(sources);
   }
 
   MoonshineGrammars grammars{language()};
@@ -59,7 +59,8 @@ TEST_F(MoonshineGrammarsTest, HaveADomainModel) {
   EXPECT_THAT(model, testing::HasSubstr("\\3-grams:"));
   EXPECT_THAT(model, testing::HasSubstr("i want to"));
   EXPECT_THAT(model, testing::HasSubstr("jeffery ho"));
-  const MoonshineGrammars none{asr::Language({})};
+  const MoonshineGrammars none{
+      std::make_shared<asr::MadeLanguage>(asr::LanguageSources{})};
   EXPECT_EQ(none.domain_model(), "");
 }
 

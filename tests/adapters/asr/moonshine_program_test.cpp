@@ -127,6 +127,7 @@ TEST_F(MoonshineProgramTest, HangingIsNoticed) {
 }
 
 TEST_F(MoonshineProgramTest, NotReadingIsNoticed) {
+  order.most_unsent = 4 << 20;
   ASSERT_TRUE(start("does not read"));
   const std::vector<Sample> second(speech_rate);
   for (int seconds = 0; seconds < 300; ++seconds)

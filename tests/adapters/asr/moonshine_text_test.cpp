@@ -34,6 +34,19 @@ TEST(MoonshineText, WritesTimesAsTyped) {
   EXPECT_EQ(typed_text("1.75 litres"), "1.75 litres");
 }
 
+TEST(MoonshineText, WritesDaysAsTyped) {
+  EXPECT_EQ(typed_text("Is it open to-day, to-night? To-morrow."),
+            "Is it open today, tonight? Tomorrow.");
+}
+
+TEST(MoonshineText, JoinsInitials) {
+  EXPECT_EQ(typed_text("Someone from H. R., please."),
+            "Someone from HR, please.");
+  EXPECT_EQ(typed_text("Where is the A. T. M.? I am lost."),
+            "Where is the ATM? I am lost.");
+  EXPECT_EQ(typed_text("J. Smith. A b. c."), "J. Smith. A b. c.");
+}
+
 TEST(MoonshineText, KeepsPunctuationAndOneBlank) {
   EXPECT_EQ(typed_text("  Hello,   I am Lena. "), "Hello, I am Lena.");
 }

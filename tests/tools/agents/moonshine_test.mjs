@@ -190,6 +190,12 @@ test("steering prefers the application's words", async () => {
   assert.deepEqual(best[0].tokens, [100, 102]);
 });
 
+test("what cannot be said is not written", async () => {
+  const best = await found(toyModel(texts), steering(),
+    { isSaid: (token) => token !== 101 });
+  assert.deepEqual(best[0].tokens, [100, 102]);
+});
+
 test("that nothing was said must be sure", async () => {
   const nothing = (chance) => toyModel(
     [{ tokens: [], chance }, { tokens: [100], chance: 1 - chance }]);
@@ -225,8 +231,8 @@ function levelsOf(...parts) {
 
 test("silence around speech is not spoken", () => {
   const noise = tone(1, 0.01);
-  const { from, to } = levelsOf(noise, tone(1, 0.5), noise).spoken();
-  assert.deepEqual([from, to], [16_000 - 800, 32_000 + 1600]);
+  const { from, to, end } = levelsOf(noise, tone(1, 0.5), noise).spoken();
+  assert.deepEqual([from, end, to], [16_000 - 2400, 32_000, 32_000 + 3200]);
 });
 
 test("speech in loud noise is heard whole", () => {
@@ -236,8 +242,9 @@ test("speech in loud noise is heard whole", () => {
 });
 
 test("there may be nothing at all", () => {
-  assert.deepEqual(new Levels().spoken(), { from: 0, to: 0 });
-  assert.deepEqual(levelsOf(tone(1, 0)).spoken(), { from: 0, to: 0 });
+  const nothing = { from: 0, to: 0, end: 0 };
+  assert.deepEqual(new Levels().spoken(), nothing);
+  assert.deepEqual(levelsOf(tone(1, 0)).spoken(), nothing);
 });
 
 // -- turns

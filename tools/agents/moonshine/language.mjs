@@ -4,6 +4,7 @@
 // and cost what its unlikeliest words cost.
 
 const WORD = "\u2581"; // stands for the space before a word
+const NO_PIECE = { text: "", startsWord: false };
 const OUTSIDE = "\u0000"; // a word that it lacks
 
 // How much it counts beside the network, in natural logarithms of
@@ -53,7 +54,8 @@ export class Language {
   // A 3-gram model in the ARPA format; `pieces`: the text of each token.
   constructor(
     arpa, pieces, { weight = WEIGHT, least = LEAST, each = EACH_WORD } = {}) {
-    this.pieces = pieces;
+    this.pieces = pieces.map(
+      (piece) => ({ text: plain(piece), startsWord: piece.startsWith(WORD) }));
     this.weight = weight;
     this.least = least;
     this.each = each;
@@ -136,9 +138,8 @@ export class Language {
 
   // The place after one more token.
   follow(place, token) {
-    const piece = this.pieces[token] ?? "";
-    const text = plain(piece);
-    if (!piece.startsWith(WORD))
+    const { text, startsWord } = this.pieces[token] ?? NO_PIECE;
+    if (!startsWord)
       return text ? { ...place, word: place.word + text } : place;
     return { ...this.ended(place), word: text };
   }
@@ -166,9 +167,12 @@ export class Language {
       this.scored(this.probability(place, place.word, true));
   }
 
-  // The score of a text that ends here.
+  // The score of a text that ends here. A number may end with each figure: to
+  // go on must not be worth more than to end.
   final(place) {
     const end = this.ended(place);
+    if (isFigure(place.word))
+      return end.kept;
     return end.kept + this.weight *
       Math.max(this.probability(end, "</s>", false), this.least);
   }

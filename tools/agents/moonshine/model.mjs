@@ -5,11 +5,7 @@ import { createRequire } from "node:module";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
-// The shape of the tiny model's decoder.
-const LAYERS = 6;
-const HEADS = 8;
-const HEAD_SIZE = 36;
-const EACH = HEADS * HEAD_SIZE; // of one position in one layer
+const HEADS = 8; // of attention, in each model of the family
 const PARTS = ["key", "value"];
 
 export const START = 1;
@@ -23,13 +19,19 @@ export function packages(folder) {
   return { require: from, find };
 }
 
-const names = (prefix, of) =>
-  Array.from({ length: LAYERS }, (_, layer) =>
-    PARTS.map((part) => `${prefix}.${layer}.${of}.${part}`)).flat();
-const PAST = names("past_key_values", "decoder");
-const PAST_HEARD = names("past_key_values", "encoder");
-const PRESENT = names("present", "decoder");
-const PRESENT_HEARD = names("present", "encoder");
+// What the decoder's inputs and outputs are called.
+function decoderNames(inputs) {
+  const layers = inputs.filter((name) => name.endsWith(".decoder.key")).length;
+  const names = (prefix, of) =>
+    Array.from({ length: layers }, (_, layer) =>
+      PARTS.map((part) => `${prefix}.${layer}.${of}.${part}`)).flat();
+  return {
+    past: names("past_key_values", "decoder"),
+    pastHeard: names("past_key_values", "encoder"),
+    present: names("present", "decoder"),
+    presentHeard: names("present", "encoder"),
+  };
+}
 
 export class Model {
   static async load(runtime, folder) {
@@ -44,6 +46,7 @@ export class Model {
     model.runtime = runtime;
     model.encoder = await open("encoder_model.onnx");
     model.decoder = await open("decoder_model_merged.onnx");
+    model.names = decoderNames(model.decoder.inputNames);
     return model;
   }
 
@@ -56,15 +59,17 @@ export class Model {
   // The beginning of all texts. A state belongs to `width` texts of the same
   // length, whose next tokens are scored in `logits`, one row each.
   async begin(heard) {
-    const nothing = this.floats(new Float32Array(0), [0, HEADS, 1, HEAD_SIZE]);
-    const past = {};
-    for (const name of [...PAST, ...PAST_HEARD])
-      past[name] = nothing;
-    const output = await this.decode([START], heard, past, false);
+    const { past, pastHeard, present, presentHeard } = this.names;
+    const nothing = this.floats(
+      new Float32Array(0), [0, HEADS, 1, eachOf(heard) / HEADS]);
+    const empty = {};
+    for (const name of [...past, ...pastHeard])
+      empty[name] = nothing;
+    const output = await this.decode([START], heard, empty, false);
     return {
       width: 1, length: 1, heard, logits: output.logits.data,
-      said: PRESENT.map((name) => output[name].data),
-      listened: PRESENT_HEARD.map((name) => output[name]),
+      said: present.map((name) => output[name].data),
+      listened: presentHeard.map((name) => output[name]),
     };
   }
 
@@ -74,18 +79,19 @@ export class Model {
     const width = tokens.length;
     const listened = this.spread(state.listened, state.width, width);
     const heard = this.spread([state.heard], state.width, width)[0];
-    const past = {};
-    const dims = [width, HEADS, state.length, HEAD_SIZE];
-    PAST.forEach((name, i) => {
-      past[name] = this.floats(
-        choose(state.said[i], parents, state.length * EACH), dims);
+    const each = eachOf(heard);
+    const before = {};
+    const dims = [width, HEADS, state.length, each / HEADS];
+    this.names.past.forEach((name, i) => {
+      before[name] = this.floats(
+        choose(state.said[i], parents, state.length * each), dims);
     });
-    PAST_HEARD.forEach((name, i) => { past[name] = listened[i]; });
-    const output = await this.decode(tokens, heard, past, true);
+    this.names.pastHeard.forEach((name, i) => { before[name] = listened[i]; });
+    const output = await this.decode(tokens, heard, before, true);
     return {
       width, length: state.length + 1, heard, listened,
       logits: output.logits.data,
-      said: PRESENT.map((name) => output[name].data),
+      said: this.names.present.map((name) => output[name].data),
     };
   }
 
@@ -116,6 +122,9 @@ export class Model {
     return new this.runtime.Tensor("float32", data, dims);
   }
 }
+
+// The numbers of one position in one layer.
+const eachOf = (heard) => heard.dims.at(-1);
 
 // The blocks of `data` at these indices, each of `size` numbers.
 function choose(data, indices, size) {

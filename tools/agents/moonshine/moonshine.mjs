@@ -5,9 +5,12 @@
 //     node moonshine.mjs --detect      for SileroVAD: where speech is
 //     node moonshine.mjs FILE.wav …    prints what is said in these files
 //                                      (16,000 samples a second, one channel)
+//
+// --network base|tiny: which network hears.
 import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { parseArgs } from "node:util";
 
 import { Detector } from "./detector.mjs";
 import { FrameReader, samples } from "./protocol.mjs";
@@ -17,13 +20,18 @@ import { Turns } from "./turns.mjs";
 const say = (head) => process.stdout.write(`${JSON.stringify(head)}\n`);
 
 const here = path.dirname(fileURLToPath(import.meta.url));
+const { values: options, positionals: files } = parseArgs({
+  allowPositionals: true,
+  options: { detect: { type: "boolean" }, network: { type: "string" } },
+});
+const load = () => Recogniser.load(here, options.network);
 
 const phrases = (payload) =>
   payload.toString("utf8").split("\n").filter(Boolean);
 
 // The commands of the protocol, once the network is loaded.
 async function recognising() {
-  const recogniser = await Recogniser.load(here);
+  const recogniser = await load();
   const turns = new Turns(
     (heard, how) => recogniser.recognise(heard, how), say);
   let model = "";
@@ -65,9 +73,9 @@ function end(reason) {
   process.stdin.destroy();
 }
 
-async function serve(load) {
+async function serve(prepare) {
   const began = performance.now();
-  const known = await load();
+  const known = await prepare();
   const reader = new FrameReader();
   process.stdin.on("data", (bytes) => {
     try {
@@ -81,8 +89,8 @@ async function serve(load) {
   say({ type: "ready", milliseconds: Math.round(performance.now() - began) });
 }
 
-async function transcribe(files) {
-  const recogniser = await Recogniser.load(here);
+async function transcribe() {
+  const recogniser = await load();
   for (const file of files) {
     // The header of a plain WAV file has 44 bytes.
     const heard = samples(fs.readFileSync(file).subarray(44));
@@ -96,6 +104,5 @@ process.on("unhandledRejection", (error) => {
   say({ type: "failed", reason: String(error?.message ?? error) });
   process.exit(1);
 });
-const files = process.argv.slice(2);
-await (files[0] === "--detect" ? serve(detecting) :
-  files.length ? transcribe(files) : serve(recognising));
+await (options.detect ? serve(detecting) :
+  files.length ? transcribe() : serve(recognising));

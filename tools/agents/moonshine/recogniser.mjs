@@ -8,7 +8,9 @@ import { Model, packages } from "./model.mjs";
 import { mostTokens, search } from "./search.mjs";
 import { Steering } from "./steering.mjs";
 
-const WEIGHTS = "@moonshine-ai/moonshine-js/dist/model/tiny/quantized";
+const WEIGHTS = "@usefulsensors/moonshine-js/dist/model";
+// base hears better; tiny takes two thirds of its time and less memory.
+const NETWORK = "base";
 const TOKENIZER = "llama-tokenizer-js/llama-tokenizer.js";
 // Hypotheses at a time for a careful result and for others.
 const WIDTH = 4;
@@ -30,15 +32,17 @@ const WORD = "\u2581"; // stands for the space before a word
 export class Recogniser {
   narrow = new Map();
 
-  static async load(folder) {
+  static async load(folder, network = NETWORK) {
     const { require, find } = packages(folder);
-    const weights = find(WEIGHTS).find((place) => fs.existsSync(place));
+    const wanted = `${WEIGHTS}/${network}/quantized`;
+    const weights = find(wanted).find((place) => fs.existsSync(place));
     if (!weights)
-      throw new Error(`the package of ${WEIGHTS} is missing`);
+      throw new Error(`the network ${wanted} is missing`);
     const recogniser = new Recogniser();
     recogniser.model = await Model.load(require("onnxruntime-node"), weights);
     const file = find(TOKENIZER).find((place) => fs.existsSync(place));
     recogniser.tokenizer = (await import(pathToFileURL(file))).default;
+    recogniser.isSaid = recogniser.tokenizer.vocabById.map(isEnglish);
     recogniser.steer([], 0);
     return recogniser;
   }
@@ -111,6 +115,7 @@ export class Recogniser {
       steering, width: careful ? WIDTH : PARTIAL_WIDTH,
       most: mostTokens(samples.length / RATE), isOver,
       plainPiece: (token) => this.plainPiece(token),
+      isSaid: (token) => this.isSaid[token],
     });
     if (!texts)
       return null;
@@ -174,7 +179,7 @@ export class Recogniser {
 // A text for each of whose tokens domain model and preferred words take away so
 // much, in natural logarithms of a probability, is about something else; chosen
 // by measuring. Names and short answers may be unknown.
-const LEAST_FIT = -0.6;
+const LEAST_FIT = -1;
 const SHORT = 8; // tokens
 const fits = ({ tokens, sum, score }) =>
   tokens.length < SHORT || score - sum >= LEAST_FIT * tokens.length;
@@ -197,5 +202,10 @@ export function repeatsItself(text) {
     }
   return false;
 }
+
+// Other alphabets, control characters and single bytes are what the network
+// writes where it is lost.
+const isEnglish = (piece) => !/^<.+>$/.test(piece) &&
+  /^[\u2581\p{Script=Latin}\p{N}\p{P}\p{Sc}+=]+$/u.test(piece);
 
 const rounded = (chance) => Math.round(chance * 1000) / 1000;

@@ -8,6 +8,9 @@ const TOKENS_A_SECOND = 6.5;
 const LEAST_TOKENS = 6;
 // A text whose score is so much lower than the best one's is given up.
 const HOPELESS = 10;
+// More than steering adds to a token at once: one that is less likely than the
+// best by this and the above need not be looked at. They are thousands.
+const MOST_BONUS = 6;
 // The network often finds it likely that nothing was said where a short answer
 // was: it is believed only if it is as sure as this.
 const SURE_OF_NOTHING = 0.9;
@@ -17,14 +20,14 @@ export const mostTokens = (seconds) =>
 
 // The texts, best first: [{tokens, chances, score}]. `chances` are the
 // probabilities of the tokens, as steered, and of the end.
-export async function search(model, heard, { steering, width, most, isOver, plainPiece }) {
+export async function search(model, heard, { steering, width, most, isOver, plainPiece, isSaid = () => true }) {
   let state = await model.begin(heard);
   let beam = [{ tokens: [], chances: [], sum: 0, place: steering.start, text: "" }];
   const done = [];
   for (let length = 0; length < most; ++length) {
     if (isOver?.())
       return null;
-    const next = candidates(state, beam, steering, width);
+    const next = candidates(state, beam, { steering, width, isSaid });
     beam = [];
     const parents = [];
     const seen = new Set();
@@ -78,16 +81,18 @@ function steered(log, bonus) {
 }
 
 // The best ways in which the texts of the beam may go on, best first: the
-// likeliest tokens and those which the steering wants.
-function candidates(state, beam, steering, width) {
+// likeliest tokens that can be said and those which the steering wants.
+function candidates(state, beam, { steering, width, isSaid }) {
   const size = state.logits.length / state.width;
   const all = [];
   beam.forEach((from, row) => {
     const logits = state.logits.subarray(row * size, (row + 1) * size);
     const total = logSum(logits);
-    const tokens = new Set(likeliest(logits, 2 * width));
+    const tokens = new Set(likeliest(logits, 2 * width, isSaid));
+    const least = Math.max(...logitsOf(tokens, logits)) - HOPELESS - MOST_BONUS;
     for (const token of steering.wanted(from.place))
-      tokens.add(token);
+      if (logits[token] >= least)
+        tokens.add(token);
     for (const token of tokens) {
       const log = logits[token] - total;
       const ends = token === END;
@@ -104,6 +109,9 @@ function candidates(state, beam, steering, width) {
     .filter(({ score }) => score > all[0].score - HOPELESS);
 }
 
+const logitsOf = (tokens, logits) =>
+  [...tokens].map((token) => logits[token]);
+
 // Terms that cannot change the sum are left out.
 function logSum(logits) {
   let most = -Infinity;
@@ -117,11 +125,13 @@ function logSum(logits) {
   return most + Math.log(sum);
 }
 
-function likeliest(logits, count) {
+function likeliest(logits, count, isSaid) {
   const best = [];
   let least = -Infinity;
   for (let token = 0; token < logits.length; ++token) {
     if (best.length === count && logits[token] <= least)
+      continue;
+    if (token !== END && !isSaid(token))
       continue;
     let at = best.length;
     while (at > 0 && logits[best[at - 1]] < logits[token])

@@ -2,7 +2,7 @@
 // in which order they get the processor: one at a time; what is finished goes
 // before what is still being spoken, and who has waited longest goes first.
 
-import { Levels, MARGIN_BEHIND } from "./levels.mjs";
+import { Levels } from "./levels.mjs";
 
 // Of one turn; what comes later is not heard.
 const LONGEST_TURN = 30; // seconds
@@ -144,12 +144,12 @@ export class Turns {
 }
 
 const mayBeOver = (one) =>
-  one.length - one.levels.spoken().to >= PAUSE * RATE - MARGIN_BEHIND;
+  one.length - one.levels.spoken().end >= PAUSE * RATE;
 
 function isPrepared({ levels, prepared }) {
-  const { from, to } = levels.spoken();
+  const { from, end } = levels.spoken();
   return prepared !== null && Math.abs(prepared.spoken.from - from) < SAME &&
-    Math.abs(prepared.spoken.to - to) < SAME;
+    Math.abs(prepared.spoken.end - end) < SAME;
 }
 
 function joined(one) {

@@ -1,0 +1,56 @@
+// LanguageStore remembers the language that was made last. The same one is
+// wanted again and again: by each conversation of a test, by several instances
+// of a recogniser, and after a reload that left grammars and values as they
+// were. To make one takes seconds, to find it some milliseconds.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapters/asr/words/language.hpp"
+
+namespace parlour::adapters::asr {
+
+// Immutable.
+struct MadeLanguage {
+  explicit MadeLanguage(const LanguageSources& sources);
+
+  Language language;
+  std::string domain_model; // ARPA; empty if nothing is said
+};
+
+// Thread-safe. Where several threads want the same language that is not there
+// yet, each makes it.
+class LanguageStore {
+public:
+  // Columns are read in any case, since a language knows the values that they
+  // had when it was made. Blocks for up to some seconds.
+  std::shared_ptr<const MadeLanguage> get(const LanguageSources& sources);
+
+private:
+  // A language, and all that it was made from.
+  struct Kept {
+    LanguageSources sources; // without their reader of columns
+    // Nothing: it could not be read.
+    std::map<std::string, std::optional<std::vector<std::string>>> columns;
+    std::shared_ptr<const MadeLanguage> made;
+
+    bool is_of(const LanguageSources& wanted) const;
+  };
+
+  std::shared_ptr<const Kept> kept() const;
+  void keep(std::shared_ptr<const Kept> latest);
+
+  mutable std::mutex mutex_;
+  std::shared_ptr<const Kept> kept_;
+};
+
+// The store of this process.
+LanguageStore& language_store();
+
+} // namespace parlour::adapters::asr

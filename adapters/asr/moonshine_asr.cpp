@@ -46,6 +46,9 @@ const std::vector<OptionDescription> options = {
     {"conversations", "dialogues",
      "folder of the application with conversations; what users say there is "
      "expected"},
+    {"wordings", "wordings.tsv",
+     "file of the application with wordings of its topics, which the domain "
+     "model learns"},
     {"platform", "", "folder of what the platform ships"},
     {"any-words", "false",
      "hears also what is far from anything that the application expects", false,

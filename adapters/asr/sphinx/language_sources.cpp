@@ -30,11 +30,16 @@ const std::vector<OptionDescription>& language_options() {
       {"conversations", "dialogues",
        "folder of the application with conversations; what users say there is "
        "expected"},
+      {"wordings", "wordings.tsv",
+       "file of the application with wordings of its topics, which the domain "
+       "model learns"},
       {"platform", "", "folder of what the platform ships"}};
   return descriptions;
 }
 
-// A folder of conversations that is not there is empty: applications need none.
+// A folder of conversations that is not there is empty, and so is a file of
+// wordings: applications need none. What is wrong in the file is told by the
+// understanding.
 Expected<LanguageSources> language_sources(const PluginHost& host,
                                            const Options& options) {
   auto value = [&](const char* name) {
@@ -55,6 +60,11 @@ Expected<LanguageSources> language_sources(const PluginHost& host,
   if (!folder)
     return tl::make_unexpected(folder.error());
   sources.conversations = read_conversations(*folder);
+  const auto wordings =
+      inside(host.application_folder(), value("wordings"), "wordings");
+  if (!wordings)
+    return tl::make_unexpected(wordings.error());
+  nlu::read_wording_file(*wordings, sources.model, sources.wordings);
   return sources;
 }
 

@@ -9,7 +9,7 @@
 
 namespace parlour::adapters::asr {
 
-// model, conversations, generic, platform.
+// model, conversations, wordings, platform.
 const std::vector<OptionDescription>& language_options();
 
 // The sources refer to the host. An error of kind Settings if a file that an

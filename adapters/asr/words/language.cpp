@@ -26,6 +26,7 @@ constexpr std::array contracted{
 
 // What is said counts more than what is drawn from grammars.
 constexpr double weight_of_said = 20;
+constexpr double weight_of_wording = 5;
 constexpr std::uint64_t seed = 1;
 // Three words that were drawn together once only were so by chance.
 constexpr double least_drawn = 2;
@@ -87,6 +88,7 @@ Language::Language(const LanguageSources& sources) {
   for (const auto& line : said_)
     examples.add_sentence(line);
   parts_["<examples>"] = examples.finish();
+  add_wordings(sources, sets);
   add_bare_values(sources.model, sets);
   sets_ = sets.graphs();
   put_together();
@@ -111,6 +113,38 @@ void Language::add_conversations(const LanguageSources& sources,
     spellings_.note(line, true);
     if (!words.empty())
       said_.push_back(std::move(words));
+  }
+}
+
+// Of unknown topics and slots there are none.
+void Language::add_wordings(const LanguageSources& sources, ValueSets& sets) {
+  for (const auto& wording : sources.wordings) {
+    const auto topic = std::ranges::find(sources.model.topics, wording.topic,
+                                         &TopicModel::name);
+    const auto marked = nlu::read_marks(wording.text);
+    if (topic == sources.model.topics.end() || !marked)
+      continue;
+    const std::string_view text = marked->text;
+    std::vector<Symbol> sentence;
+    std::size_t at = 0;
+    const auto add_up_to = [&](std::size_t end) {
+      const auto words = symbols_of(text.substr(at, end - at), symbols_);
+      sentence.insert(sentence.end(), words.begin(), words.end());
+      at = end;
+    };
+    for (const auto& mark : marked->marks) {
+      const auto slot =
+          std::ranges::find(topic->slots, mark.slot, &SlotModel::name);
+      if (slot == topic->slots.end())
+        continue;
+      add_up_to(mark.begin);
+      sentence.push_back(sets.set_of(*topic, *slot));
+      sets.add(sets.open_set(mark.slot),
+               text.substr(mark.begin, mark.end - mark.begin));
+      at = mark.end;
+    }
+    add_up_to(text.size());
+    wordings_.push_back(std::move(sentence));
   }
 }
 
@@ -214,6 +248,8 @@ std::string Language::arpa(std::size_t count) const {
   }
   for (const auto& line : said_)
     counts.add(line, weight_of_said);
+  for (const auto& line : fill_sets(wordings_, symbols_, sets_, seed + 2))
+    counts.add(line, weight_of_wording);
   // Of large sets, what was not drawn.
   for (const auto& [set, values] : sets_) {
     const std::vector<Sentence> alone(values.arc_count(), Sentence{set});

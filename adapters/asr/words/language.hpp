@@ -14,6 +14,7 @@
 #include "adapters/asr/words/grammar_reader.hpp"
 #include "adapters/asr/words/value_sets.hpp"
 #include "adapters/asr/words/word_graph.hpp"
+#include "adapters/nlu/grammar/example_file.hpp"
 #include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::asr {
@@ -27,6 +28,9 @@ struct LanguageSources {
   // How times, numbers and the like are said: a public rule for each form.
   std::optional<GrammarModel> forms;
   Conversations conversations;
+  // What people say for their topics in other words. Only the domain model
+  // learns them: as sentences of the grammar they would be heard everywhere.
+  std::vector<nlu::Wording> wordings = {};
 };
 
 // Immutable after it was made; then any number of threads may use it.
@@ -59,7 +63,7 @@ public:
   // What is more than the decoder can hold is left out (FsgText::is_whole).
   FsgText fsg(const WordGraph& graph) const;
   // The domain model, counted from `count` of all sentences, as many of the
-  // application's own, and the conversations.
+  // application's own, the wordings, and the conversations.
   std::string arpa(std::size_t count) const;
   // What the graph's sentences are made of, as it is written: the values in
   // them, at most so many, and single words. Forms such as times are left out.
@@ -86,6 +90,7 @@ private:
                   std::vector<std::string>& values) const;
   void add_example_values(const TopicModel& topic, ValueSets& sets);
   void add_conversations(const LanguageSources& sources, ValueSets& sets);
+  void add_wordings(const LanguageSources& sources, ValueSets& sets);
   void add_grammar(const GrammarModel& model, GrammarReader& reader);
   void add_examples(const TopicModel& topic, GrammarReader& reader,
                     GraphBuilder& to);
@@ -113,6 +118,8 @@ private:
   std::map<std::string, WordGraph> parts_;
   // Examples and lines of conversations, word by word.
   std::vector<std::vector<Symbol>> said_;
+  // Wordings, with value sets in their marked places.
+  std::vector<std::vector<Symbol>> wordings_;
 };
 
 } // namespace parlour::adapters::asr

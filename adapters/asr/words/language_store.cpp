@@ -23,7 +23,8 @@ MadeLanguage::MadeLanguage(const LanguageSources& sources)
 bool LanguageStore::Kept::is_of(const LanguageSources& wanted) const {
   return sources.model == wanted.model && sources.generic == wanted.generic &&
          sources.forms == wanted.forms &&
-         sources.conversations == wanted.conversations;
+         sources.conversations == wanted.conversations &&
+         sources.wordings == wanted.wordings;
 }
 
 // No lock is held while columns are read and while a language is made: the

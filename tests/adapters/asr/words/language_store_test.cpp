@@ -49,6 +49,8 @@ TEST_F(LanguageStoreTest, tells_languages_apart_by_all_that_they_are_made_of) {
   EXPECT_TRUE(is_another("tea for"));
   sources_.conversations.lines = {"good heavens"};
   EXPECT_TRUE(is_another("good heavens"));
+  sources_.wordings = {{"Visit", {}, "let me see the boss"}};
+  EXPECT_TRUE(is_another("the boss"));
 }
 
 TEST_F(LanguageStoreTest, makes_it_anew_once_a_column_can_be_read) {

@@ -70,6 +70,20 @@ TEST_F(LanguageTest, HasWhatExamplesAndConversationsSay) {
   EXPECT_EQ(ends(language, {"nothing"}), std::nullopt);
 }
 
+TEST_F(LanguageTest, KnowsWordingsOnlyInItsDomainModel) {
+  sources.wordings = {{"Order", {}, "fetch us [tea](Drink) pronto"},
+                      {"Order", {}, "it is for [Zelda](Guest)"},
+                      {"Elsewhere", {}, "forget it"}};
+  const Language language(sources);
+  const auto arpa = language.arpa(200);
+  EXPECT_THAT(arpa, HasSubstr(" fetch us"));
+  EXPECT_THAT(arpa, testing::AnyOf(HasSubstr(" us tea pronto"),
+                                   HasSubstr(" lemon tea pronto")));
+  EXPECT_THAT(arpa, HasSubstr(" is for"));
+  EXPECT_THAT(arpa, Not(HasSubstr("forget")));
+  EXPECT_EQ(ends(language, {"fetch", "us", "tea", "pronto"}), std::nullopt);
+}
+
 TEST_F(LanguageTest, LetsDeterminersStandBeforeValues) {
   const Language language(sources);
   EXPECT_EQ(ends(language, {"i", "want", "a", "tea"}), true);

@@ -30,33 +30,33 @@ constexpr std::size_t most_sessions = 1'000;
 
 using Folders = std::vector<std::filesystem::path>;
 
-const std::vector<OptionDescription> options = {
-    {"program", "",
-     "the file moonshine.mjs; its packages are beside it. Otherwise the one "
-     "that comes with Parlour"},
-    {"node", "node", "Node.js, a name or a path"},
-    {"network",
-     "base",
-     "base hears better; tiny takes two thirds of its time and less memory",
-     false,
-     OptionType::choice,
-     {"base", "tiny"}},
-    {"timeout", "10s", "how long a result may take, else it is started again",
-     false, OptionType::duration},
-    {"conversations", "dialogues",
-     "folder of the application with conversations; what users say there is "
-     "expected"},
-    {"wordings", "wordings.tsv",
-     "file of the application with wordings of its topics, which the domain "
-     "model learns"},
-    {"platform", "", "folder of what the platform ships"},
-    {"any-words", "false",
-     "hears also what is far from anything that the application expects", false,
-     OptionType::boolean},
-    {"one-by-one", "false",
-     "answers each message before the next; virtual time sets it", false,
-     OptionType::boolean},
-};
+std::vector<OptionDescription> option_descriptions() {
+  std::vector<OptionDescription> all{
+      {"program", "",
+       "the file moonshine.mjs; its packages are beside it. Otherwise the one "
+       "that comes with Parlour"},
+      {"node", "node", "Node.js, a name or a path"},
+      {"network",
+       "base",
+       "base hears better; tiny takes two thirds of its time and less memory",
+       false,
+       OptionType::choice,
+       {"base", "tiny"}},
+      {"timeout", "10s", "how long a result may take, else it is started again",
+       false, OptionType::duration}};
+  const auto& language = asr::language_options();
+  all.insert(all.end(), language.begin(), language.end());
+  all.push_back({"any-words", "false",
+                 "hears also what is far from anything that the application "
+                 "expects",
+                 false, OptionType::boolean});
+  all.push_back({"one-by-one", "false",
+                 "answers each message before the next; virtual time sets it",
+                 false, OptionType::boolean});
+  return all;
+}
+
+const auto options = option_descriptions();
 
 // The texts of alternatives or of words as people type them.
 List typed(List entries) {

@@ -84,10 +84,9 @@ std::string typed_word(const Word& word) {
   return body;
 }
 
-// The words from one on that are one number, said digit by digit.
-// `words` 0: there is none.
-struct Number {
-  std::string digits;
+// Words from one on that are typed as one; `words` 0: there are none.
+struct Joined {
+  std::string text;
   std::size_t words = 0;
   std::string_view end; // the punctuation behind it
 };
@@ -96,10 +95,10 @@ bool divides_sentences(std::string_view end) {
   return end.find_first_of(".!?;") != std::string_view::npos;
 }
 
-// Only commas may be between its words. Two words of several digits each are no
-// number, unless it is a long one.
-Number number_at(const std::vector<std::string>& words, std::size_t first) {
-  Number number;
+// A number, said digit by digit. Only commas may be between its words. Two
+// words of several digits each are no number, unless it is a long one.
+Joined number_at(const std::vector<std::string>& words, std::size_t first) {
+  Joined number;
   bool one_by_one = true;
   for (auto at = first; at < words.size(); ++at) {
     const auto word = divided(words[at]);
@@ -107,39 +106,33 @@ Number number_at(const std::vector<std::string>& words, std::size_t first) {
     if (digits.empty())
       break;
     one_by_one &= digits.size() == 1 || word.body.find('-') != word.body.npos;
-    number.digits += digits;
+    number.text += digits;
     ++number.words;
     number.end = word.end;
     if (divides_sentences(word.end))
       break;
   }
   const auto least = one_by_one ? fewest_digits : long_number;
-  return number.digits.size() < least ? Number() : number;
+  return number.text.size() < least ? Joined() : number;
 }
 
-// The words from one on that are the letters of one: "H. R." for "HR".
-// `words` 0: there are not two of them.
-struct Initials {
-  std::string letters;
-  std::size_t words = 0;
-  std::string_view end; // the punctuation behind the last letter's point
-};
-
-Initials initials_at(const std::vector<std::string>& words, std::size_t first) {
-  Initials initials;
+// At least two letters with a point each: "H. R." for "HR". The last one's
+// point is gone, too.
+Joined initials_at(const std::vector<std::string>& words, std::size_t first) {
+  Joined initials;
   for (auto at = first; at < words.size(); ++at) {
     const auto [body, end] = divided(words[at]);
     if (body.size() != 1 ||
         !std::isupper(static_cast<unsigned char>(body[0])) ||
         !end.starts_with('.'))
       break;
-    initials.letters += body;
+    initials.text += body;
     ++initials.words;
     initials.end = end.substr(1);
     if (!initials.end.empty())
       break;
   }
-  return initials.words < 2 ? Initials() : initials;
+  return initials.words < 2 ? Joined() : initials;
 }
 
 } // namespace
@@ -151,15 +144,12 @@ std::string typed_text(std::string_view spoken) {
   for (std::size_t at = 0; at < words.size();) {
     if (at > 0)
       text += ' ';
-    const auto number = number_at(words, at);
-    if (number.words > 0) {
-      (text += number.digits) += number.end;
-      at += number.words;
-      continue;
-    }
-    if (const auto initials = initials_at(words, at); initials.words > 0) {
-      (text += initials.letters) += initials.end;
-      at += initials.words;
+    auto joined = number_at(words, at);
+    if (joined.words == 0)
+      joined = initials_at(words, at);
+    if (joined.words > 0) {
+      (text += joined.text) += joined.end;
+      at += joined.words;
       continue;
     }
     const auto word = divided(words[at++]);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "adapters/asr/words/agreement.hpp"
-#include "adapters/asr/words/language_store.hpp"
 #include "adapters/asr/words/pronunciations.hpp"
 
 namespace parlour::adapters::asr {
@@ -48,20 +47,18 @@ std::string text_of(const std::vector<std::string>& words) {
 // what its dictionary lacks.
 Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
                                      const std::string& model) {
-  const auto spoken = language_store().get(sources);
-  const std::shared_ptr<const Language> language(spoken, &spoken->language);
-  const auto sounds = model_sounds(model, language->words(),
+  Vocabulary vocabulary;
+  vocabulary.made = language_store().get(sources);
+  const auto& language = vocabulary.made->language;
+  const auto sounds = model_sounds(model, language.words(),
                                    given_sounds(sources.model.pronunciations));
   if (!sounds)
     return tl::make_unexpected(sounds.error());
-  Vocabulary made;
-  made.dictionary = dictionary_text(*sounds);
-  auto grammar = language->fsg(language->sentences());
-  made.grammar = std::move(grammar.text);
-  made.is_whole = grammar.is_whole;
-  made.domain = {spoken, &spoken->domain_model};
-  made.language = language;
-  return made;
+  vocabulary.dictionary = dictionary_text(*sounds);
+  auto grammar = language.fsg(language.sentences());
+  vocabulary.grammar = std::move(grammar.text);
+  vocabulary.is_whole = grammar.is_whole;
+  return vocabulary;
 }
 
 // Only the decoder by the domain model makes three passes
@@ -78,7 +75,8 @@ Expected<Hearing> Hearing::make(std::shared_ptr<const Vocabulary> vocabulary,
   if (auto added = grammar->add_grammar(everything, vocabulary->grammar);
       !added)
     return tl::make_unexpected(added.error());
-  if (auto added = second->add_domain(domain, *vocabulary->domain); !added)
+  if (auto added = second->add_domain(domain, vocabulary->made->domain_model);
+      !added)
     return tl::make_unexpected(added.error());
   return Hearing(std::move(vocabulary), std::move(*grammar),
                  std::move(*second));
@@ -103,14 +101,15 @@ std::string Hearing::search_for(const std::vector<std::string>& names) {
   const auto known = std::ranges::find(narrow_, names, &Narrow::names);
   if (known != narrow_.end())
     return known->search;
-  auto graph =
-      names.empty() ? std::nullopt : vocabulary_->language->sentences(names);
+  auto graph = names.empty() ? std::nullopt
+                             : vocabulary_->made->language.sentences(names);
   if (!graph)
     return everything;
   auto search = narrow_.size() < most_narrow
                     ? "narrow" + std::to_string(narrow_.size())
                     : narrow_.front().search;
-  if (!grammar_.add_grammar(search, vocabulary_->language->fsg(*graph).text))
+  if (!grammar_.add_grammar(search,
+                            vocabulary_->made->language.fsg(*graph).text))
     return everything;
   if (narrow_.size() == most_narrow)
     narrow_.erase(narrow_.begin());
@@ -120,7 +119,7 @@ std::string Hearing::search_for(const std::vector<std::string>& names) {
 
 const WordGraph& Hearing::graph() const {
   const auto found = std::ranges::find(narrow_, search_, &Narrow::search);
-  return found == narrow_.end() ? vocabulary_->language->sentences()
+  return found == narrow_.end() ? vocabulary_->made->language.sentences()
                                 : found->graph;
 }
 
@@ -138,7 +137,7 @@ std::string Hearing::partial() const {
 }
 
 std::optional<bool> Hearing::ends(const std::string& partial) const {
-  return vocabulary_->language->ends(graph(), split_text(partial));
+  return vocabulary_->made->language.ends(graph(), split_text(partial));
 }
 
 // In noise the domain model hears better; what a narrow grammar expects is more
@@ -160,7 +159,7 @@ Heard Hearing::finish() {
   heard.agreement = agreed.value;
   heard.agreed = agreed.agreed;
   if (!take_grammar && by_domain.size() >= least_sentence &&
-      vocabulary_->language->ends(graph(), by_domain) == true)
+      vocabulary_->made->language.ends(graph(), by_domain) == true)
     heard.agreement = std::max(heard.agreement, of_sentence);
   return heard;
 }

@@ -11,7 +11,7 @@
 
 #include "adapters/asr/sphinx/noise_gate.hpp"
 #include "adapters/asr/sphinx/sphinx_decoder.hpp"
-#include "adapters/asr/words/language.hpp"
+#include "adapters/asr/words/language_store.hpp"
 #include "adapters/audio/pcm.hpp"
 #include "runtime/base/error.hpp"
 
@@ -33,11 +33,10 @@ std::vector<std::string> split_text(const std::string& text);
 // What recognisers load: made once, shared by all.
 // The texts are read by each decoder when it is made.
 struct Vocabulary {
-  std::shared_ptr<const Language> language;
+  std::shared_ptr<const MadeLanguage> made; // with the domain model
   std::string dictionary;
   std::string grammar;  // FSG
   bool is_whole = true; // the grammar: else it has more than can be heard
-  std::shared_ptr<const std::string> domain; // ARPA
 };
 
 // Makes it, with the sounds that the dictionary of the model has, and those of

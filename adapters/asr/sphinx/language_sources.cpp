@@ -25,8 +25,6 @@ std::optional<GrammarModel> platform_grammar(const std::string& folder,
 
 const std::vector<OptionDescription>& language_options() {
   static const std::vector<OptionDescription> descriptions{
-      {"model", "/usr/share/pocketsphinx/model/en-us",
-       "folder of the acoustic model and its dictionary"},
       {"conversations", "dialogues",
        "folder of the application with conversations; what users say there is "
        "expected"},

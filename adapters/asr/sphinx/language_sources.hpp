@@ -9,7 +9,7 @@
 
 namespace parlour::adapters::asr {
 
-// model, conversations, wordings, platform.
+// conversations, wordings, platform: of each recogniser.
 const std::vector<OptionDescription>& language_options();
 
 // The sources refer to the host. An error of kind Settings if a file that an

@@ -17,7 +17,7 @@ Expected<Renewed> make_renewed(const LanguageSources& sources,
     return tl::make_unexpected(vocabulary.error());
   Renewed made;
   made.vocabulary = std::make_shared<const Vocabulary>(std::move(*vocabulary));
-  if (made.vocabulary->language->sentences().arc_count() == 0)
+  if (made.vocabulary->made->language.sentences().arc_count() == 0)
     return made;
   auto first = Hearing::make(made.vocabulary, model);
   if (!first)

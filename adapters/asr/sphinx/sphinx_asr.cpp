@@ -30,7 +30,11 @@ constexpr Milliseconds left_alone(10'000);
 
 const std::vector<OptionDescription>& option_descriptions() {
   static const std::vector<OptionDescription> descriptions = [] {
-    auto all = asr::language_options();
+    std::vector<OptionDescription> all{
+        {"model", "/usr/share/pocketsphinx/model/en-us",
+         "folder of the acoustic model and its dictionary"}};
+    const auto& language = asr::language_options();
+    all.insert(all.end(), language.begin(), language.end());
     all.push_back({"least-agreement", "0.5",
                    "what is less certain is rejected, 0 to 1", false,
                    OptionType::number});
@@ -130,7 +134,7 @@ protected:
       return;
     }
     auto& hearing = *found->second.hearing;
-    tell(hearing.finish(), *hearing.vocabulary()->language);
+    tell(hearing.finish(), hearing.vocabulary()->made->language);
     end(current().session);
   }
 
@@ -212,7 +216,7 @@ private:
     auto text = utterance.hearing->partial();
     if (text.empty() || text == utterance.partial)
       return;
-    const auto& language = *utterance.hearing->vocabulary()->language;
+    const auto& language = utterance.hearing->vocabulary()->made->language;
     fire_partial(written(asr::split_text(text), language), ++utterance.revision,
                  utterance.hearing->ends(text));
     utterance.partial = std::move(text);

@@ -54,6 +54,14 @@ std::vector<Symbol> symbols_of(std::string_view text, Symbols& symbols) {
   return made;
 }
 
+// What stands in marked places may be said wherever their slots are open.
+void add_marked(const nlu::MarkedText& marked, ValueSets& sets) {
+  for (const auto& mark : marked.marks)
+    sets.add(sets.open_set(mark.slot),
+             std::string_view(marked.text)
+                 .substr(mark.begin, mark.end - mark.begin));
+}
+
 } // namespace
 
 // The order matters: forms and values come before the grammars that name them,
@@ -97,10 +105,7 @@ Language::Language(const LanguageSources& sources) {
 void Language::add_example_values(const TopicModel& topic, ValueSets& sets) {
   for (const auto& example : topic.examples)
     if (const auto marked = nlu::read_marks(example))
-      for (const auto& mark : marked->marks)
-        sets.add(sets.open_set(mark.slot),
-                 std::string_view(marked->text)
-                     .substr(mark.begin, mark.end - mark.begin));
+      add_marked(*marked, sets);
 }
 
 // A value that a conversation expects in a slot may be said in it.
@@ -124,6 +129,7 @@ void Language::add_wordings(const LanguageSources& sources, ValueSets& sets) {
     const auto marked = nlu::read_marks(wording.text);
     if (topic == sources.model.topics.end() || !marked)
       continue;
+    add_marked(*marked, sets);
     const std::string_view text = marked->text;
     std::vector<Symbol> sentence;
     std::size_t at = 0;
@@ -139,8 +145,6 @@ void Language::add_wordings(const LanguageSources& sources, ValueSets& sets) {
         continue;
       add_up_to(mark.begin);
       sentence.push_back(sets.set_of(*topic, *slot));
-      sets.add(sets.open_set(mark.slot),
-               text.substr(mark.begin, mark.end - mark.begin));
       at = mark.end;
     }
     add_up_to(text.size());

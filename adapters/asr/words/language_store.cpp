@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "adapters/nlu/values/known_columns.hpp"
-
 namespace parlour::adapters::asr {
 
 namespace {
@@ -31,12 +29,11 @@ bool LanguageStore::Kept::is_of(const LanguageSources& wanted) const {
 // first calls what is not ours, the second takes long.
 std::shared_ptr<const MadeLanguage>
 LanguageStore::get(const LanguageSources& sources) {
-  nlu::KnownColumns once; // whoever asks for a column, it is read once
   const auto values_of =
       [&](const std::string& name) -> std::optional<std::vector<std::string>> {
     if (!sources.columns)
       return {};
-    auto values = once.read(name, sources.columns);
+    auto values = sources.columns(name);
     if (!values)
       return {};
     return std::move(*values);

@@ -4,7 +4,6 @@
 // were. To make one takes seconds, to find it some milliseconds.
 #pragma once
 
-#include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -28,8 +27,10 @@ struct MadeLanguage {
 // yet, each makes it.
 class LanguageStore {
 public:
-  // Columns are read in any case, since a language knows the values that they
-  // had when it was made. Blocks for up to some seconds.
+  // Columns are read in any case, and twice where they have changed, since a
+  // language knows the values that they had when it was made: the reader of
+  // the sources should remember them (KnownColumns). Blocks for up to some
+  // seconds.
   std::shared_ptr<const MadeLanguage> get(const LanguageSources& sources);
 
 private:

@@ -88,8 +88,9 @@ function candidates(state, beam, { steering, width, isSaid }) {
   beam.forEach((from, row) => {
     const logits = state.logits.subarray(row * size, (row + 1) * size);
     const total = logSum(logits);
-    const tokens = new Set(likeliest(logits, 2 * width, isSaid));
-    const least = Math.max(...logitsOf(tokens, logits)) - HOPELESS - MOST_BONUS;
+    const best = likeliest(logits, 2 * width, isSaid);
+    const tokens = new Set(best);
+    const least = logits[best[0]] - HOPELESS - MOST_BONUS;
     for (const token of steering.wanted(from.place))
       if (logits[token] >= least)
         tokens.add(token);
@@ -108,9 +109,6 @@ function candidates(state, beam, { steering, width, isSaid }) {
   return all.slice(0, 2 * width)
     .filter(({ score }) => score > all[0].score - HOPELESS);
 }
-
-const logitsOf = (tokens, logits) =>
-  [...tokens].map((token) => logits[token]);
 
 // Terms that cannot change the sum are left out.
 function logSum(logits) {

@@ -24,7 +24,7 @@ protected:
     return std::move(*pool);
   }
   static bool knows(const Hearing& hearing, const std::string& word) {
-    return hearing.vocabulary()->language->words().contains(word);
+    return hearing.vocabulary()->made->language.words().contains(word);
   }
 };
 
@@ -72,7 +72,8 @@ TEST_F(RecogniserPoolTest, WorksOnALoop) {
   });
   const auto outcome = made.get_future().get();
   ASSERT_TRUE(*outcome);
-  EXPECT_TRUE((*outcome)->vocabulary->language->words().contains("deborah"));
+  EXPECT_TRUE(
+      (*outcome)->vocabulary->made->language.words().contains("deborah"));
 }
 
 } // namespace

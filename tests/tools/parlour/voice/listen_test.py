@@ -2,12 +2,14 @@
 many words it has."""
 
 import json
+import pathlib
 import subprocess
 import unittest
 
 from voice_case import PROGRAM, ProgramCase, WAIT
 
-SOURCE = __file__.rsplit("/tests/", 1)[0]
+RECEPTIONIST = (pathlib.Path(__file__).resolve().parents[4]
+                / "config/apps/receptionist")
 
 
 class ListenTest(ProgramCase):
@@ -23,7 +25,7 @@ class ListenTest(ProgramCase):
             "say", "I am here to meet Jeffery Ho.", "--component", "FliteTTS",
             "--voice", "rms", "-o", file)
         heard = self.run_program(
-            "listen", f"{SOURCE}/config/apps/receptionist", file, "--json")
+            "listen", str(RECEPTIONIST), file, "--json")
         self.assertIn("Jeffery Ho", json.dumps(json.loads(heard)))
 
 

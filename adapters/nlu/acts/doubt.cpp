@@ -232,20 +232,33 @@ private:
 
   // Whether words are left that nothing has understood. Fillers and the words
   // of the question do not count, but words such as "but" always do.
-  // Neither do a few small words behind `yes`, the token of the yes.
+  // Neither do a few small words behind `yes`, the token of the yes, nor those
+  // of sentences behind that which begins with it: "Yes please. And where …"
   bool leaves_words(std::size_t yes) const {
     std::size_t small = 0;
+    const auto end = end_of_first_sentence(yes);
     for (std::size_t token = 0; token < utterance_.size(); ++token) {
       if (understood_[token])
         continue;
       const bool turns = is_turning_word(word(token));
-      const bool means_nothing =
-          utterance_.weight[token] < min_weight || question_.has(token);
+      const bool means_nothing = utterance_.weight[token] < min_weight ||
+                                 question_.has(token) || token >= end;
       if (turns || (!means_nothing && !may_follow(token, yes)))
         return true;
       small += means_nothing ? 0U : 1U;
     }
     return small > most_small;
+  }
+
+  // The end of all if the token stands in another one, or if no yes is asked
+  // for.
+  std::size_t end_of_first_sentence(std::size_t token) const {
+    if (token >= utterance_.size() || context_.confirms.empty())
+      return utterance_.size();
+    const auto at = static_cast<std::uint32_t>(token);
+    const auto sentence =
+        stretch_of(utterance_.tokens, {at, at + 1}, Break::sentence);
+    return sentence.begin == 0 ? sentence.end : utterance_.size();
   }
 
   // "of course you can't", "yes I can not": a negation beside the yes, even one

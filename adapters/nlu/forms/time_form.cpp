@@ -55,9 +55,15 @@ std::optional<FormAt> finish(FormReader& reader, Time time) {
   return reader.form(clock_text(hour * 60 + time.minute), time.weak);
 }
 
-// Splits "10:30", "10.30", "1030" or "10" into hour and minute. What follows
-// the digits is left in `rest`. With a point the time stays weak, since it may
-// be a decimal number.
+// Whether three digits are likelier a time than a room: "430".
+bool is_quarter(std::int64_t digits) {
+  const auto minute = digits % 100;
+  return digits / 100 > 0 && (minute == 15 || minute == 30 || minute == 45);
+}
+
+// Splits "10:30", "10.30", "1030", "430" or "10" into hour and minute. What
+// follows the digits is left in `rest`. With a point the time stays weak, since
+// it may be a decimal number.
 std::optional<Time> split_digits(std::string_view word,
                                  std::string_view& rest) {
   const auto end = word.find_first_not_of("0123456789");
@@ -78,7 +84,8 @@ std::optional<Time> split_digits(std::string_view word,
     if (!rest.empty() && rest[0] >= '0' && rest[0] <= '9')
       return {};
     // "1030", or "930" before "am".
-  } else if (first.size() == 4 || (first.size() == 3 && !rest.empty())) {
+  } else if (first.size() == 4 ||
+             (first.size() == 3 && (!rest.empty() || is_quarter(*hour)))) {
     time = {*hour / 100, *hour % 100, first[0] == '0', true};
   } else if (first.size() > 2) {
     return {};

@@ -6,6 +6,7 @@
 
 #include "adapters/nlu/parse/question_words.hpp"
 #include "adapters/nlu/text/has.hpp"
+#include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -87,6 +88,19 @@ public:
           !wishes(token) && !follows(island, token))
         return true;
     return false;
+  }
+
+  // "Never mind the dog": what nobody is to mind, unless a rule has these
+  // words.
+  bool is_never_minded(const Island& island) const {
+    const auto clause = clause_of(island);
+    auto token = island.begin;
+    while (token > clause.begin && is_determiner(word(token - 1)))
+      --token;
+    if (token > clause.begin && word(token) != "mind")
+      --token;
+    return island.is_content() && token > clause.begin &&
+           word(token) == "mind" && word(token - 1) == "never";
   }
 
   // "We'll never make that" corrects nothing.
@@ -232,7 +246,7 @@ void leave_out_half_clauses(std::vector<Island>& islands,
            clauses.is_yes_of_question(island) ||
            clauses.is_tag_within(island) || clauses.is_bye_within(island) ||
            clauses.is_other_start(island) || clauses.is_marker_within(island) ||
-           clauses.is_no_within(island);
+           clauses.is_no_within(island) || clauses.is_never_minded(island);
   });
 }
 

@@ -252,12 +252,20 @@ private:
   bool corrects_ = false;
 };
 
-bool says_more(const Utterance& utterance, TokenRange explained) {
-  for (std::uint32_t token = 0; token < utterance.size(); ++token)
-    if (!utterance.filler[token] &&
-        (token < explained.begin || token >= explained.end))
+bool is_said(const Utterance& utterance, TokenRange range) {
+  for (auto token = range.begin; token < range.end; ++token)
+    if (!utterance.filler[token])
       return true;
   return false;
+}
+
+// "Changi Airport, and make that half past four": who is asked answers first.
+// What follows in other clauses is something else.
+bool says_more(const Utterance& utterance, TokenRange explained) {
+  if (is_said(utterance, {0, explained.begin}))
+    return true;
+  const auto clause = stretch_of(utterance.tokens, explained, Break::comma);
+  return is_said(utterance, {explained.end, clause.end});
 }
 
 } // namespace

@@ -17,9 +17,14 @@ namespace {
 
 // From this score on, grammars need no hypothesis.
 constexpr double well_understood = 0.9;
+// The same where only small words are left over: "I am in the kitchen now".
+constexpr double understood_but_small_words = 0.8;
 // What a hypothesis needs in the place of a sentence, and how much better than
 // a value it must be that is expected.
 constexpr double likely = 0.6;
+// What it needs to take away what may be a value, to mean something else of the
+// same topic, or beside a question that waits.
+constexpr double very_likely = 0.85;
 constexpr double much_better = 0.3;
 
 // Whether the hypothesis has these values, too.
@@ -31,13 +36,12 @@ bool has_all(const BuiltAct& hypothesis, const BuiltAct& act) {
   });
 }
 
-// Whether it has them as the same values, those aside that only a rule gives.
-bool keeps_values(const BuiltAct& hypothesis, const BuiltAct& act) {
-  return std::ranges::all_of(act.fills, [&](const Fill& fill) {
-    return fill.literal ||
-           std::ranges::any_of(hypothesis.fills, [&](const Fill& other) {
-             return !other.literal && other.span == fill.span &&
-                    other.begin == fill.begin && other.end == fill.end;
+// Whether it gives a slot of which the act says nothing by itself.
+bool says_more(const BuiltAct& hypothesis, const BuiltAct& act) {
+  return std::ranges::any_of(hypothesis.fills, [&](const Fill& fill) {
+    return fill.literal &&
+           std::ranges::none_of(act.fills, [&](const Fill& other) {
+             return other.slot == fill.slot && other.literal;
            });
   });
 }
@@ -81,7 +85,18 @@ bool BetterReading::leaves_question(const BuiltAct& act) const {
 }
 
 bool BetterReading::leaves_words(const BuiltAct& act) const {
-  return act.score < well_understood || leaves_question(act);
+  const auto least =
+      leaves_content(act) ? well_understood : understood_but_small_words;
+  return act.score < least || leaves_question(act);
+}
+
+// Beside its own words.
+bool BetterReading::leaves_content(const BuiltAct& act) const {
+  for (std::uint32_t token = 0; token < utterance_.size(); ++token)
+    if ((token < act.begin || token >= act.end) &&
+        utterance_.weight[token] >= full_weight)
+      return true;
+  return false;
 }
 
 // A bare value tells no topic by itself. If the conversation does not expect
@@ -103,16 +118,63 @@ bool BetterReading::is_better(const BuiltAct& act,
           (!is_expected && has_all(hypothesis, act)));
 }
 
+// Words that may be a value by chance: in "how long may I hang on to a book",
+// nobody wants a book with that word in its title.
+bool BetterReading::is_doubtful(const Fill& fill) const {
+  if (is_open(fill, spans_))
+    return true;
+  const auto& span = spans_[*fill.span];
+  return span.unmatched || span.confidence < guessed_value ||
+         span.values.size() > 1;
+}
+
+// Determiners before it aside.
+bool BetterReading::is_same_value(const Fill& one, const Fill& other) const {
+  if (one.literal || other.literal)
+    return false;
+  if (!one.span || !other.span)
+    return one.span == other.span && one.begin == other.begin &&
+           one.end == other.end;
+  const auto& left = spans_[*one.span];
+  const auto& right = spans_[*other.span];
+  return left.entity == right.entity && left.core == right.core &&
+         left.end == right.end;
+}
+
+// Whether the hypothesis has the value, too, or only a rule gives it.
+bool BetterReading::keeps(const BuiltAct& hypothesis, const Fill& fill) const {
+  return fill.literal ||
+         std::ranges::any_of(hypothesis.fills, [&](const Fill& other) {
+           return is_same_value(fill, other);
+         });
+}
+
+// What the hypothesis must reach in the place of the act; nothing: it would
+// lose a value that was surely said.
+std::optional<double>
+BetterReading::needed_instead_of(const BuiltAct& act,
+                                 const BuiltAct& hypothesis) const {
+  double needed = context_.asked_topic == no_topic ? likely : very_likely;
+  for (const auto& fill : act.fills) {
+    if (keeps(hypothesis, fill))
+      continue;
+    if (!is_doubtful(fill))
+      return {};
+    needed = very_likely;
+  }
+  return needed;
+}
+
 // A question that is answered wrongly costs less than a task that nobody wants,
 // so none is begun instead of an answer.
 bool BetterReading::is_better_sentence(const BuiltAct& act,
                                        const BuiltAct& hypothesis) const {
-  return act.topic != no_topic && hypothesis.topic != no_topic &&
-         leaves_words(act) && hypothesis.score > likely &&
-         context_.asked_topic == no_topic && !context_.expects(act.topic) &&
-         keeps_values(hypothesis, act) &&
-         (schema_.at(hypothesis.topic).enquiry ||
-          !schema_.at(act.topic).enquiry);
+  if (act.topic == no_topic || hypothesis.topic == no_topic ||
+      !leaves_words(act) || context_.expects(act.topic) ||
+      (!schema_.at(hypothesis.topic).enquiry && schema_.at(act.topic).enquiry))
+    return false;
+  const auto needed = needed_instead_of(act, hypothesis);
+  return needed && hypothesis.score > *needed;
 }
 
 // Beside what rules found, any words are a value only if they look like one:
@@ -128,10 +190,13 @@ bool BetterReading::is_clear(const Fill& fill) const {
 bool BetterReading::choose(std::vector<BuiltAct>& acts,
                            const BuiltAct& hypothesis) const {
   const bool opens = are_openings(acts);
-  const bool better = opens || is_better(acts[0], hypothesis) ||
-                      (well_taught_ && acts.size() == 1 &&
-                       is_better_sentence(acts[0], hypothesis));
-  if (opens || (better && acts[0].topic != hypothesis.topic)) {
+  const bool is_sentence = !opens && well_taught_ && acts.size() == 1 &&
+                           is_better_sentence(acts[0], hypothesis);
+  const bool better = opens || is_sentence || is_better(acts[0], hypothesis);
+  const bool means_other = opens || acts[0].topic != hypothesis.topic ||
+                           (is_sentence && hypothesis.score > very_likely &&
+                            says_more(hypothesis, acts[0]));
+  if (better && means_other) {
     acts = {hypothesis};
     return true;
   }

@@ -2,11 +2,13 @@
 // wordings (docs/understanding.md). Pure.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "adapters/nlu/grammar/utterance.hpp"
 #include "adapters/nlu/parse/built_act.hpp"
 #include "adapters/nlu/parse/context.hpp"
+#include "adapters/nlu/parse/spans.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -16,9 +18,10 @@ public:
   // A hypothesis that is `well_taught` is also better than a whole sentence
   // that was understood in part, about what nobody expects.
   BetterReading(const Schema& schema, const Context& context,
-                const Utterance& utterance, bool well_taught)
+                const Utterance& utterance, const Spans& spans,
+                bool well_taught)
       : schema_(schema), context_(context), utterance_(utterance),
-        well_taught_(well_taught) {}
+        spans_(spans), well_taught_(well_taught) {}
 
   // Whether the acts that grammars found only open or close what is said. True
   // for none.
@@ -37,13 +40,20 @@ private:
   bool is_better(const BuiltAct& act, const BuiltAct& hypothesis) const;
   bool is_better_sentence(const BuiltAct& act,
                           const BuiltAct& hypothesis) const;
+  std::optional<double> needed_instead_of(const BuiltAct& act,
+                                          const BuiltAct& hypothesis) const;
+  bool keeps(const BuiltAct& hypothesis, const Fill& fill) const;
+  bool is_same_value(const Fill& one, const Fill& other) const;
+  bool is_doubtful(const Fill& fill) const;
   bool leaves_words(const BuiltAct& act) const;
+  bool leaves_content(const BuiltAct& act) const;
   bool leaves_question(const BuiltAct& act) const;
   bool is_clear(const Fill& fill) const;
 
   const Schema& schema_;
   const Context& context_;
   const Utterance& utterance_;
+  const Spans& spans_;
   bool well_taught_;
 };
 

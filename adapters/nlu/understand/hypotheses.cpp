@@ -231,10 +231,16 @@ void add_constants(
   }
 }
 
-bool says_all(const BuiltAct& act, const std::vector<std::string>& slots) {
-  return std::ranges::all_of(slots, [&](const std::string& slot) {
-    return std::ranges::find(act.fills, slot, &Fill::slot) != act.fills.end();
-  });
+// Whether it has what all of its wordings say. Small words alone give no
+// constant: "make sure that one is off".
+bool says_enough(const BuiltAct& act, const LessonLabel& label,
+                 const Makeup& makeup) {
+  const bool says_value = act.fills.size() > label.constants.size();
+  return (makeup.content || says_value || label.constants.empty()) &&
+         std::ranges::all_of(label.needs, [&](const std::string& slot) {
+           return std::ranges::find(act.fills, slot, &Fill::slot) !=
+                  act.fills.end();
+         });
 }
 
 // What a topic needs above the threshold beside many wordings. One that nobody
@@ -285,8 +291,7 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
     // which are the expensive part, are looked for.
     const auto& topic = schema.at(hypothesis.topic);
     if ((topic.part && !context.goes_on(hypothesis.topic)) ||
-        (!makeup.content &&
-         (hypothesis.probability < very_likely || !constants.empty())))
+        (!makeup.content && hypothesis.probability < very_likely))
       continue;
     const auto probability = evidence.joined(hypothesis);
     if (probability + max_bonus(hypothesis.topic, context) < threshold)
@@ -312,7 +317,7 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
     const bool is_new = !context.expects(hypothesis.topic);
     const bool begins = learned.is_beside_grammars() && !topic.enquiry &&
                         act.fills.size() == constants.size() && is_new;
-    if (says_all(act, hypothesis.label->needs) &&
+    if (says_enough(act, *hypothesis.label, makeup) &&
         act.score >=
             threshold + std::max(begins ? task_without_values : 0,
                                  doubt_of(act.topic, schema, learned, context)))

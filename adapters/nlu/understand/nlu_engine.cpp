@@ -315,7 +315,8 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   // Only if grammars left something open.
   std::vector<BuiltAct> hypotheses;
   const auto meant = without_courtesies(utterance, chains[0], context);
-  const BetterReading better(schema, context, meant, learned.is_well_taught());
+  const BetterReading better(schema, context, meant, spans,
+                             learned.is_well_taught());
   if (!choice && better.leaves_open(acts))
     hypotheses =
         self.hypotheses(meant, spans, context, better.are_openings(acts));

@@ -8,6 +8,7 @@ constexpr const char* marks = R"(
   public <no> = no {act=deny};
   public <not> = not {act=deny} {denies=next};
   public <mend> = sorry {act=correct};
+  public <other> = make that @time {Appointment.Time} {act=correct};
   public <wait> = wait {act=wait};
   public <thanks> = thank you {act=thank};
   public <leads> = how about;
@@ -32,6 +33,9 @@ List acts(const std::string& text, double threshold = 0.4) {
 TEST(Acts, AreMendedAfterAWait) {
   EXPECT_EQ(summary(acts("to meet Anand Menon at three, no, wait, at four")),
             "inform Appointment Host=Anand Menon Time=16:00");
+  EXPECT_EQ(
+      summary(acts("to meet Anand Menon at three, no, wait, make that four")),
+      summary(acts("to meet Anand Menon at three, no, make that four")));
   EXPECT_EQ(summary(acts("no, wait")), "deny");
   EXPECT_EQ(summary(acts("no, wait, is there a bank")),
             "deny + request Facility Category=bank");

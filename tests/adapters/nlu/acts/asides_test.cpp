@@ -69,6 +69,15 @@ TEST(Asides, AreRulesOfNothingButAValue) {
   EXPECT_EQ(kept(declared, "book a taxi at the bank"), 2U);
 }
 
+TEST(Asides, AreValuesInAClauseAboutSomethingElse) {
+  auto made = acts();
+  made[0].is_declared = true;
+  made[1].begin = 4;
+  made[1].end = 6;
+  EXPECT_EQ(kept(made, "book a taxi, at the bank"), 2U);
+  EXPECT_EQ(kept(made, "book a taxi, zork the bank"), 1U);
+}
+
 TEST(Asides, AreFurtherValuesThatAreMostlyNotUnderstood) {
   auto further = acts();
   further[0].topic = facility;

@@ -377,5 +377,18 @@ TEST(Doubt, TakesAYesAsAValueOfTheSlotThatWasAskedForOnly) {
               testing::HasSubstr("inform Room Meals=yes"));
 }
 
+TEST(Doubt, TakesAYesThatIsASentenceOfItsOwn) {
+  const auto engine = sample();
+  const auto heard = [&](const char* text) {
+    Map context{{"now", sample_now()}, {"confirms", "Shall I book a taxi?"}};
+    return summary(engine.understand(text, Value(context)).acts);
+  };
+  EXPECT_EQ(heard("Yes please. And the zork, what about it?"), "confirm");
+  EXPECT_EQ(heard("Yes please and the zork, what about it"), "");
+  EXPECT_EQ(heard("The zork is big. Yes please."), "");
+  EXPECT_EQ(heard("Yes. But the zork is big."), "");
+  EXPECT_EQ(heard("Yes. Not the zork."), "");
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

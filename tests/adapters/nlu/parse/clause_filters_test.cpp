@@ -86,5 +86,11 @@ TEST(ClauseFilters, TakeAQuestionBehindAStatementForPartOfIt) {
   EXPECT_EQ(understood("isn't there a bank?"), understood("is there a bank?"));
 }
 
+TEST(ClauseFilters, NeverMindWhatIsNamed) {
+  EXPECT_EQ(understood("never mind the bank. is there a toilet"),
+            "cancel + request Facility Category=toilet");
+  EXPECT_EQ(understood("mind the bank"), understood("the bank"));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

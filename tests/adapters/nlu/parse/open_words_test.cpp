@@ -35,6 +35,17 @@ TEST(OpenWords, ALongAnswerIsInDoubt) {
   EXPECT_EQ(certainty("green grass grows along every river", 0, true), 0.6);
 }
 
+// "Airport, and …": what follows in another clause is something else.
+TEST(OpenWords, AnAnswerComesFirst) {
+  const auto certainty = [](const char* said, TokenRange value) {
+    const Stages stages(grammar, said);
+    return certainty_of_words(stages.utterance, {value, value, true});
+  };
+  EXPECT_EQ(certainty("airport, zork zork", {0, 1}), 0.6);
+  EXPECT_EQ(certainty("airport zork zork", {0, 1}), 0.2);
+  EXPECT_EQ(certainty("zork zork, airport", {2, 3}), 0.2);
+}
+
 // "Before that, a taxi to the airport": no name.
 TEST(OpenWords, APartOfWhatIsSaidIsNoAnswerIfItMayMeanSomethingElse) {
   const Stages stages(grammar, "airport zork zork");

@@ -25,16 +25,35 @@ const Schema& schema() {
   return made;
 }
 
+// With what it has of the sample's values.
+Spans spans_of(const Utterance& utterance) {
+  std::vector<EntityId> entities{schema().at(0).find("Time")->entity,
+                                 schema().at(0).find("Host")->entity};
+  std::ranges::sort(entities);
+  return {schema(), utterance, entities, sample_now()};
+}
+
+// The value of the slot that begins at this token.
+Fill value(const std::string& slot, const Spans& spans, std::size_t begin) {
+  const auto found = spans.at(schema().at(0).find(slot)->entity, begin);
+  EXPECT_FALSE(found.empty());
+  const auto& span = spans[found.front()];
+  return {slot, 0, found.front(), {}, span.begin, span.end};
+}
+
 bool leaves_open(const std::vector<BuiltAct>& acts,
                  const Utterance& utterance = {}) {
   const Context context;
-  return BetterReading(schema(), context, utterance, true).leaves_open(acts);
+  const auto spans = spans_of(utterance);
+  return BetterReading(schema(), context, utterance, spans, true)
+      .leaves_open(acts);
 }
 
 bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
                    const Context& context, bool well_taught,
                    const Utterance& utterance = {}) {
-  return BetterReading(schema(), context, utterance, well_taught)
+  const auto spans = spans_of(utterance);
+  return BetterReading(schema(), context, utterance, spans, well_taught)
       .choose(acts, hypothesis);
 }
 
@@ -113,22 +132,69 @@ TEST(BetterReading, BeginsNoTaskInsteadOfAnAnswer) {
 }
 
 TEST(BetterReading, LosesNoValueThatWasSaid) {
-  auto sentence = act(2, 0.5);
-  sentence.fills = {fill("Time", 3, 5)};
-  sentence.fills[0].span = 7;
-  const auto takes = [&](const Fill& found) {
-    std::vector<BuiltAct> acts{sentence};
-    auto hypothesis = act(0, 0.9);
+  const Automaton automaton;
+  const auto utterance =
+      make_utterance("zork the Anand Menon three thirty Hui Min", automaton);
+  const auto spans = spans_of(utterance);
+  const auto takes = [&](const Fill& said, const Fill& found, double score) {
+    std::vector<BuiltAct> acts{act(2, 0.5)};
+    acts[0].fills = {said};
+    auto hypothesis = act(0, score);
     hypothesis.fills = {found};
-    return prefer_better(acts, hypothesis, {}, true);
+    return prefer_better(acts, hypothesis, {}, true, utterance);
   };
-  auto found = fill("Time", 3, 5);
-  EXPECT_FALSE(takes(found)); // nothing but words
-  found.span = 7;
-  EXPECT_TRUE(takes(found));
-  sentence.fills[0] = fill("Time", 0, 9);
-  sentence.fills[0].literal = Value("08:00"); // that only a rule gave
-  EXPECT_TRUE(takes(fill("Host", 1, 2)));
+  const auto time = value("Time", spans, 4);
+  const auto host = value("Host", spans, 2);
+  EXPECT_FALSE(takes(time, host, 0.9));
+  EXPECT_FALSE(takes(time, fill("Time", 4, 6), 0.9)); // nothing but words
+  EXPECT_TRUE(takes(time, time, 0.7));
+  EXPECT_TRUE(takes(value("Host", spans, 1), host, 0.7)); // with "the"
+  auto given = fill("Time", 0, 8);
+  given.literal = Value("08:00"); // that only a rule gave
+  EXPECT_TRUE(takes(given, host, 0.7));
+  // What may be one of several, or nothing but words, may be none.
+  for (const auto& doubtful : {value("Host", spans, 6), fill("Firm", 6, 8)}) {
+    EXPECT_FALSE(takes(doubtful, host, 0.8));
+    EXPECT_TRUE(takes(doubtful, host, 0.9));
+  }
+}
+
+TEST(BetterReading, MeansSomethingElseOfTheSameTopic) {
+  const auto takes = [](double score, const Context& context) {
+    std::vector<BuiltAct> acts{act(1, 0.7)};
+    acts[0].fills = {fill("Name", 2, 3)};
+    auto hypothesis = act(1, score);
+    hypothesis.fills = {fill("Category", 0, 4)};
+    hypothesis.fills[0].literal = Value("bank");
+    prefer_better(acts, hypothesis, context, true);
+    return acts[0].fills[0].slot == "Category";
+  };
+  EXPECT_TRUE(takes(0.9, {}));
+  EXPECT_FALSE(takes(0.8, {}));
+  Context expects;
+  expects.current = 1;
+  EXPECT_FALSE(takes(0.9, expects));
+}
+
+TEST(BetterReading, NeedsMoreBesideAQuestionAboutSomethingElse) {
+  Context asks;
+  asks.asked_topic = 1;
+  const auto takes = [&](double score) {
+    std::vector<BuiltAct> acts{act(2, 0.5)};
+    return prefer_better(acts, act(0, score), asks, true);
+  };
+  EXPECT_FALSE(takes(0.8));
+  EXPECT_TRUE(takes(0.9));
+}
+
+TEST(BetterReading, LeavesASentenceBesideSmallWords) {
+  const Automaton automaton;
+  const auto utterance = make_utterance("zork is in Tampines now", automaton);
+  auto found = act(2, 0.85);
+  found.end = 4;
+  EXPECT_FALSE(leaves_open({found}, utterance));
+  found.end = 3; // "Tampines" is left over
+  EXPECT_TRUE(leaves_open({found}, utterance));
 }
 
 // A refusal has no topic.

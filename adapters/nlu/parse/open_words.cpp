@@ -261,11 +261,11 @@ bool is_said(const Utterance& utterance, TokenRange range) {
 
 // "Changi Airport, and make that half past four": who is asked answers first.
 // What follows in other clauses is something else.
-bool says_more(const Utterance& utterance, TokenRange explained) {
-  if (is_said(utterance, {0, explained.begin}))
+bool says_more(const Utterance& utterance, const OpenWords& words) {
+  if (is_said(utterance, {0, words.explained.begin}))
     return true;
-  const auto clause = stretch_of(utterance.tokens, explained, Break::comma);
-  return is_said(utterance, {explained.end, clause.end});
+  const auto clause = stretch_of(utterance.tokens, words.value, Break::comma);
+  return is_said(utterance, {words.explained.end, clause.end});
 }
 
 } // namespace
@@ -291,7 +291,7 @@ double certainty_of_words(const Utterance& utterance, const OpenWords& words) {
                           value.end - value.begin <= max_words);
   if (plausible)
     return 1;
-  return says_more(utterance, words.explained) ? not_believed : in_doubt;
+  return says_more(utterance, words) ? not_believed : in_doubt;
 }
 
 bool may_be_value(const Utterance& utterance, TokenRange value) {

@@ -67,13 +67,14 @@ const Words& function_words() {
 }
 
 // Longer phrases need not come first: every phrase that matches is marked.
-constexpr std::array<std::string_view, 29> fillers{"on second thoughts",
+constexpr std::array<std::string_view, 30> fillers{"on second thoughts",
                                                    "on second thought",
                                                    "er",
                                                    "erm",
                                                    "um",
                                                    "uh",
                                                    "uhm",
+                                                   "hm",
                                                    "hmm",
                                                    "ah",
                                                    "eh",
@@ -210,7 +211,8 @@ bool is_light(std::string_view word) {
 namespace {
 
 const Words& hesitations() {
-  static const Words words{"er", "erm", "um", "uh", "uhm", "hmm", "mm", "eh"};
+  static const Words words{"er", "erm", "um", "uh", "uhm",
+                           "hm", "hmm", "mm", "eh"};
   return words;
 }
 

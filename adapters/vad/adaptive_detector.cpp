@@ -14,9 +14,11 @@ constexpr std::size_t trusted_frames = 500 / frame_time;
 constexpr double loudest_first_noise = -50; // dB of full scale
 constexpr double noise_percentile = 0.2;
 // The peak is one that lasts for so many frames, which a knock does not, and
-// falls by so much each frame: 2 dB a second.
+// falls by so much each frame: 1 dB a second, since people wait for answers.
 constexpr std::size_t peak_frames = 4;
-constexpr double peak_decay = 2.0 * frame_time / 1'000;
+constexpr double peak_decay = 1.0 * frame_time / 1'000;
+// Before anybody has spoken, it is expected that somebody will be so loud.
+constexpr double first_peak = -30; // dB of full scale
 // The margin above the noise grows with its spread, which is that of the levels
 // between these percentiles: speech is hardly among them.
 constexpr double low_percentile = 0.1;
@@ -46,7 +48,7 @@ void AdaptiveDetector::reset() {
   stream_ = {};
   frames_.clear();
   sorted_.clear();
-  peak_ = lowest_level;
+  peak_ = first_peak;
   echo_ = EchoGauge(settings_.echo_loss);
   in_speech_ = false;
   silent_frames_ = 0;
@@ -94,7 +96,8 @@ void AdaptiveDetector::follow(double level) {
   frames_.push_back({level, echo_.played(), false});
   sorted_.insert(std::ranges::lower_bound(sorted_, level), level);
   peak_ -= peak_decay;
-  if (frames_.size() < peak_frames)
+  // How loud the robot is tells nothing of how loud people are.
+  if (frames_.size() < peak_frames || level < echo_.most_of(echo_.played()))
     return;
   auto lasting = level;
   for (auto at = frames_.size() - peak_frames; at < frames_.size(); ++at)
@@ -127,8 +130,10 @@ double AdaptiveDetector::threshold_without_echo() const {
   if (sorted_.empty())
     return settings_.least_level;
   const auto floor = noise();
-  const auto margin = std::clamp(settings_.between * (peak_ - floor),
-                                 least_margin(), settings_.most_margin);
+  const auto above = peak_ - floor;
+  const auto margin = std::clamp(
+      std::max(settings_.between * above, above - settings_.most_below_peak),
+      least_margin(), settings_.most_margin);
   return std::max(floor + margin, settings_.least_level);
 }
 

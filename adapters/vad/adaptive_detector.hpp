@@ -44,6 +44,9 @@ public:
     double most_margin = 22;
     // The threshold's place between noise (0) and peak (1).
     double between = 0.4;
+    // Who speaks to the robot is hardly ever so much softer than the peak, in
+    // dB; other people behind are. Never beyond the margin above.
+    double most_below_peak = 15;
     // Nothing below is speech, in dB of full scale.
     double least_level = -55;
     // What the microphone hears of what plays is weaker by so much, in dB,

@@ -137,6 +137,34 @@ TEST(AdaptiveDetectorTest, MergesNoTurnsInBabble) {
   EXPECT_GE(finding.started_in_time, 48);
 }
 
+// In a room with a ventilator, somebody speaks from 2,000 to 3,500 ms;
+// meanwhile a crowd begins to talk and goes on to the end.
+Sound speaker_before_crowd() {
+  Sound sound = test::pink_noise(20, 8'000, -58);
+  test::add(sound, test::speech_like(21, 1'500, -26), test::samples_in(2'000));
+  test::add(sound, test::speech_like_babble(22, 5'000, -46, 8),
+            test::samples_in(3'000));
+  return sound;
+}
+
+TEST(AdaptiveDetectorTest, CrowdBehindIsNeitherATurnNorMakesOneLonger) {
+  const auto segments = segments_of(speaker_before_crowd());
+  ASSERT_EQ(segments.size(), 1u);
+  EXPECT_LE(std::abs(segments[0].begin - 2'000), 60);
+  EXPECT_LE(std::abs(segments[0].end - 3'500), 200);
+}
+
+TEST(AdaptiveDetectorTest, HearsWhoIsSofterThanTheOneBefore) {
+  // At once in front of a crowd, and where it is quiet, much softer.
+  auto crowded = speaker_before_crowd();
+  test::add(crowded, test::speech_like(23, 600, -36), test::samples_in(5'000));
+  EXPECT_EQ(segments_of(crowded).size(), 2u);
+  auto quiet = test::silence(6'000);
+  test::add(quiet, test::speech_like(24, 1'000, -20), test::samples_in(1'000));
+  test::add(quiet, test::speech_like(25, 600, -44), test::samples_in(4'000));
+  EXPECT_EQ(segments_of(quiet).size(), 2u);
+}
+
 // An hour of two noises that are repeated, in pieces that are no whole frames.
 int turns_in_an_hour(const Sound& one, const Sound& other) {
   AdaptiveDetector detector;
@@ -194,6 +222,19 @@ TEST(AdaptiveDetectorTest, EchoRaisesTheThreshold) {
       heard_beside_echo(detector, test::speech_like(17, 600, -20), echo);
   ASSERT_FALSE(edges.empty());
   EXPECT_LE(std::abs(edges[0].position - 3'000), 60);
+}
+
+TEST(AdaptiveDetectorTest, LoudRobotMakesNobodyUnheardAfterwards) {
+  const auto echo = test::speech_like(26, 2'000, -6);
+  const auto room = test::pink_noise(27, 3'000, -62);
+  AdaptiveDetector detector;
+  detector.take(room);
+  EXPECT_THAT(heard_beside_echo(detector, test::at_level(echo, -6, -20), echo),
+              IsEmpty());
+  auto afterwards = room;
+  test::add(afterwards, test::speech_like(28, 600, -40),
+            test::samples_in(1'000));
+  EXPECT_FALSE(detector.take(afterwards).empty());
 }
 
 TEST(AdaptiveDetectorTest, BelievesPositionsThatDoNotFollow) {

@@ -241,6 +241,13 @@ test("speech in loud noise is heard whole", () => {
   assert.deepEqual([from, to], [0, 48_000]);
 });
 
+test("who speaks behind is not spoken to the robot, whatever pauses", () => {
+  const behind = tone(1, 0.05);
+  const { from, end } =
+    levelsOf(tone(1, 0.001), behind, tone(1, 0.5), behind).spoken();
+  assert.deepEqual([from, end], [32_000 - 2400, 48_000]);
+});
+
 test("there may be nothing at all", () => {
   const nothing = { from: 0, to: 0, end: 0 };
   assert.deepEqual(new Levels().spoken(), nothing);

@@ -2,12 +2,9 @@
 // network was trained on speech without long silences: it often hears nothing
 // where much silence surrounds a short answer.
 
-// What is louder than so much of the loudest piece is speech …
-const PART_OF_PEAK = 0.03;
-// … and than so many times the quietest piece; but this part of the loudest
-// piece is speech whatever the noise.
-const TIMES_FLOOR = 3;
-const SURELY = 0.15;
+// What is louder than so much of the loudest piece is speech. Other people, who
+// stand behind, are softer; chosen by measuring.
+const PART_OF_PEAK = 0.12;
 // What is quieter was not said into a microphone.
 const QUIETEST = 0.0005;
 // What stays around speech, in samples; chosen by measuring. With less, the
@@ -19,7 +16,6 @@ export class Levels {
   pieces = []; // {level, end}
   length = 0;
   peak = 0;
-  floor = Infinity;
 
   add(samples) {
     let sum = 0;
@@ -29,14 +25,12 @@ export class Levels {
     this.length += samples.length;
     this.pieces.push({ level, end: this.length });
     this.peak = Math.max(this.peak, level);
-    this.floor = Math.min(this.floor, level);
   }
 
   // The part that was spoken, as positions of samples, and where the speech
   // itself ends.
   spoken() {
-    const least = Math.max(QUIETEST, Math.min(this.peak * SURELY,
-      Math.max(this.peak * PART_OF_PEAK, this.floor * TIMES_FLOOR)));
+    const least = Math.max(QUIETEST, this.peak * PART_OF_PEAK);
     const isLoud = ({ level }) => level >= least;
     const first = this.pieces.findIndex(isLoud);
     const last = this.pieces.findLastIndex(isLoud);

@@ -248,6 +248,21 @@ test("who speaks behind is not spoken to the robot, whatever pauses", () => {
   assert.deepEqual([from, end], [32_000 - 2400, 48_000]);
 });
 
+test("who speaks not much softer behind is not spoken to the robot", () => {
+  const behind = tone(1, 0.15);
+  const { from, end } =
+    levelsOf(tone(0.1, 0.001), behind, tone(1, 0.5), behind).spoken();
+  assert.deepEqual([from, end], [17_600 - 2400, 33_600]);
+});
+
+test("where it is quiet, soft first and last sounds are spoken", () => {
+  const silence = tone(0.5, 0.001);
+  const soft = tone(0.2, 0.07);
+  const { from, end } =
+    levelsOf(silence, soft, tone(1, 0.5), soft, silence).spoken();
+  assert.deepEqual([from, end], [8000 - 2400, 30_400]);
+});
+
 test("there may be nothing at all", () => {
   const nothing = { from: 0, to: 0, end: 0 };
   assert.deepEqual(new Levels().spoken(), nothing);

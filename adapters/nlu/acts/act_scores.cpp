@@ -102,10 +102,13 @@ bool is_reasoned(const BuiltAct& act, const std::vector<double>& covered,
 }
 
 // "Wow, long name. Which floor?": nothing is left of its sentence. A mere value
-// is none.
+// is none, and of what is about the conversation only a yes that is asked for
+// and comes first: "Yes please. My brother waits."
 bool is_whole_sentence(const BuiltAct& act, const std::vector<double>& covered,
-                       const Utterance& utterance) {
-  if (act.topic == no_topic || act.is_aside)
+                       const Utterance& utterance, const Context& context) {
+  const bool answers = act.act == "confirm" && !context.confirms.empty() &&
+                       utterance.weight_of(0, act.begin) == 0;
+  if ((act.topic == no_topic && !answers) || act.is_aside)
     return false;
   const auto sentence =
       stretch_of(utterance.tokens, {act.begin, act.end}, Break::sentence);
@@ -134,7 +137,7 @@ void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
         at + 1 < acts.size() ? acts[at + 1].begin : utterance.size();
     if (is_reasoned(act, covered, utterance))
       last = act.end;
-    const bool is_whole = is_whole_sentence(act, covered, utterance);
+    const bool is_whole = is_whole_sentence(act, covered, utterance, context);
     if (act.is_declared || is_whole) {
       const auto own = stretch_of(utterance.tokens, {act.begin, act.end},
                                   is_whole ? Break::sentence : Break::comma);

@@ -112,6 +112,7 @@ private:
     // In "And I was late. Where is the bank?", "and" leads to no bank.
     if (lead_in_ && is_before_sentence(*lead_in_, island, utterance_.tokens))
       lead_in_ = nullptr;
+    // Nobody is to wait in "no, wait, make it four".
     if (wait_ && !island.act.empty() && island.act != "correct") {
       close();
       add_held();

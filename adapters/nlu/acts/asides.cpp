@@ -63,9 +63,11 @@ bool is_explained(const BuiltAct& act, const std::vector<BuiltAct>& acts,
                            return &other != &act && other.topic == act.topic;
                          });
   return std::ranges::any_of(acts, [&](const BuiltAct& other) {
-    return other.is_declared && other.topic != act.topic &&
-           (is_beside ||
-            (other.begin < clause.end && clause.begin < other.end));
+    if (other.topic == act.topic)
+      return false;
+    const bool overlaps = other.begin < clause.end && clause.begin < other.end;
+    return is_beside ? other.is_declared || context.expects(other.topic)
+                     : other.is_declared && overlaps;
   });
 }
 

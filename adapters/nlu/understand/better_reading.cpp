@@ -19,12 +19,12 @@ namespace {
 constexpr double well_understood = 0.9;
 // The same where only small words are left over: "I am in the kitchen now".
 constexpr double understood_but_small_words = 0.8;
-// What a hypothesis needs in the place of a sentence, and how much better than
-// a value it must be that is expected.
+// What a hypothesis needs in the place of a sentence …
 constexpr double likely = 0.6;
-// What it needs to take away what may be a value, to mean something else of the
-// same topic, or beside a question that waits.
+// … if it takes away what may be a value, means something else of the same
+// topic, or a question waits …
 constexpr double very_likely = 0.85;
+// … and how much better than a value it must be that is expected.
 constexpr double much_better = 0.3;
 
 // Whether the hypothesis has these values, too.

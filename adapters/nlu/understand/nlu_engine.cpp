@@ -24,6 +24,7 @@
 #include "adapters/nlu/understand/explanation.hpp"
 #include "adapters/nlu/understand/heard_texts.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
+#include "adapters/nlu/understand/left_sentences.hpp"
 #include "adapters/nlu/understand/likeness.hpp"
 #include "adapters/nlu/understand/rule_sources.hpp"
 
@@ -40,6 +41,8 @@ constexpr double tolerance = 1e-6;
 constexpr double fit_range = 0.35;
 // Of what the rules say, so many sentences are remembered.
 constexpr std::size_t rule_sentences = 8000;
+// What was learnt must reach beside other sentences.
+constexpr double likely_by_itself = 0.7;
 
 // Acts about other topics that score almost as high as the best one. The engine
 // may ask the user which was meant.
@@ -144,6 +147,29 @@ struct NluEngine::Implementation {
                                    taught->learned.words(utterance, spans),
                                    schema, context, threshold);
     return made;
+  }
+
+  void add(const BuiltAct& act, const Utterance& utterance, const Spans& spans,
+           Understanding& made) const {
+    made.score = std::max(made.score, act.score);
+    made.acts.push_back(act_value(act, utterance, spans, schema));
+  }
+
+  // What a sentence means of which rules understood nothing, if many wordings
+  // were learnt, and it is likely. The act's words are those of the sentence.
+  void add_left_sentences(const Utterance& said,
+                          const std::vector<BuiltAct>& acts,
+                          const Context& context, Understanding& made) const {
+    if (!taught->learned.is_well_taught())
+      return;
+    for (const auto sentence : left_sentences(said, acts)) {
+      const auto utterance = make_utterance(sentence, automaton);
+      Spans spans(schema, utterance, entities(context), context.now);
+      const auto found = hypotheses(utterance, spans, context, false);
+      if (!found.empty() && found[0].topic != no_topic &&
+          found[0].score >= likely_by_itself)
+        add(found[0], utterance, spans, made);
+    }
   }
 
   // The chains that end in other topics and score nearly as high.
@@ -332,10 +358,9 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   if (explain)
     made.explanation =
         self.explain(utterance, spans, islands, chains, acts, is_other);
-  for (const auto& act : acts) {
-    made.score = std::max(made.score, act.score);
-    made.acts.push_back(act_value(act, utterance, spans, schema));
-  }
+  for (const auto& act : acts)
+    self.add(act, utterance, spans, made);
+  self.add_left_sentences(meant, acts, context, made);
   // Alternatives come from the source that was chosen.
   if (guessed)
     add_alternatives(made, {{hypotheses.begin() + 1, hypotheses.end()}, false},

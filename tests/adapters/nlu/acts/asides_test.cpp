@@ -76,6 +76,10 @@ TEST(Asides, AreValuesInAClauseAboutSomethingElse) {
   made[1].end = 6;
   EXPECT_EQ(kept(made, "book a taxi, at the bank"), 2U);
   EXPECT_EQ(kept(made, "book a taxi, zork the bank"), 1U);
+  // Also beside a mere value of what the conversation is about.
+  made[0].is_declared = false;
+  EXPECT_EQ(kept(made, "book a taxi, zork the bank"), 2U);
+  EXPECT_EQ(kept(made, "book a taxi, zork the bank", "Taxi"), 1U);
 }
 
 TEST(Asides, AreFurtherValuesThatAreMostlyNotUnderstood) {

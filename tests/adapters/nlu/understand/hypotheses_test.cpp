@@ -144,13 +144,13 @@ TEST(LearntTopics, AreTakenOver) {
 
 // Three hundred wordings of two meanings and a few sentences about nothing,
 // beside the sample's grammar.
-NluEngine well_taught() {
+NluEngine well_taught(std::vector<GrammarModel> generic = {}) {
   const std::vector<std::string> swims{
       "somewhere to swim",   "do some lengths", "take a dip",
       "a swim before lunch", "splash about",    "go swimming"};
   const std::vector<std::string> asks{"need", "want", "would like", "fancy",
                                       "was hoping for"};
-  NluEngine::Options options{0.4, {}};
+  NluEngine::Options options{0.4, std::move(generic)};
   for (int person = 0; person < 10; ++person)
     for (const auto& ask : asks) {
       for (const auto& swim : swims)
@@ -203,6 +203,21 @@ TEST(Wordings, AreDoubtedBesideAYes) {
   EXPECT_TRUE(
       engine.understand(text, Value(Map{{"confirms", "shall I book it"}}))
           .acts.empty());
+}
+
+// Beside what is said about the conversation itself.
+TEST(Wordings, AreUnderstoodInASentenceOfTheirOwn) {
+  const auto engine = well_taught({generic_grammar()});
+  const auto heard = [&](const char* text) {
+    const Value context(
+        Map{{"now", sample_now()}, {"confirms", "Shall I book it?"}});
+    return summary(engine.understand(text, context).acts);
+  };
+  EXPECT_EQ(heard("Yes please. I fancy some lengths."),
+            "confirm + request Facility Category=bank");
+  EXPECT_EQ(heard("Yes please. My brother is a fish."), "confirm");
+  EXPECT_EQ(heard("Is there a toilet? I fancy some lengths."),
+            "request Facility Category=toilet");
 }
 
 } // namespace

@@ -241,11 +241,19 @@ test("speech in loud noise is heard whole", () => {
   assert.deepEqual([from, to], [0, 48_000]);
 });
 
-test("who speaks behind is not spoken to the robot, whatever pauses", () => {
+test("who speaks behind is not spoken to the robot, but for a pause", () => {
   const behind = tone(1, 0.05);
   const { from, end } =
-    levelsOf(tone(1, 0.001), behind, tone(1, 0.5), behind).spoken();
-  assert.deepEqual([from, end], [32_000 - 2400, 48_000]);
+    levelsOf(tone(0.5, 0.001), behind, tone(1, 0.5), behind).spoken();
+  assert.deepEqual([from, end], [24_000 - 2400, 40_000]);
+});
+
+test("softer sounds of whoever speaks where it is quiet are kept", () => {
+  const silence = tone(1, 0.001);
+  const soft = tone(0.3, 0.02);
+  const { from, end } =
+    levelsOf(silence, soft, tone(1, 0.5), soft, silence).spoken();
+  assert.deepEqual([from, end], [16_000 - 2400, 41_600]);
 });
 
 test("who speaks not much softer behind is not spoken to the robot", () => {

@@ -3,11 +3,14 @@
 // where much silence surrounds a short answer.
 
 // What is louder than so much of the loudest piece is speech …
-const PART_OF_PEAK = 0.12;
-// … and than so many times the noise: what is softer than most pieces. Other
-// people, who stand behind, are no louder; all chosen by measuring.
-const TIMES_NOISE = 3;
+const PART_OF_PEAK = 0.03;
+// … if there is noise, which is softer than most pieces, than more of it …
 const NOISE_PERCENTILE = 0.2;
+const TIMES_NOISE = 12;
+const PART_IN_NOISE = 0.12;
+// … and in much noise, than so many times that: other people, who stand behind,
+// are no louder. All chosen by measuring.
+const TIMES_MUCH_NOISE = 3;
 // But this part of the loudest piece is speech whatever the noise: a turn
 // without pauses keeps its soft sounds.
 const SURELY = 0.35;
@@ -41,8 +44,11 @@ export class Levels {
   // The part that was spoken, as positions of samples, and where the speech
   // itself ends.
   spoken() {
+    const noise = this.noise();
     const least = Math.max(QUIETEST, Math.min(this.peak * SURELY,
-      Math.max(this.peak * PART_OF_PEAK, this.noise() * TIMES_NOISE)));
+      Math.max(this.peak * PART_OF_PEAK,
+        Math.min(this.peak * PART_IN_NOISE, noise * TIMES_NOISE),
+        noise * TIMES_MUCH_NOISE)));
     const isLoud = ({ level }) => level >= least;
     const first = this.pieces.findIndex(isLoud);
     const last = this.pieces.findLastIndex(isLoud);

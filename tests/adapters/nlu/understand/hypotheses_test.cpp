@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "adapters/nlu/understand/hypotheses.hpp"
@@ -156,9 +158,11 @@ NluEngine well_taught(std::vector<GrammarModel> generic = {}) {
       for (const auto& swim : swims)
         options.wordings.push_back({"Facility",
                                     {{"Category", Value("bank")}},
-                                    "I " + ask + " " + swim});
+                                    fmt::format("I {} {}", ask, swim)});
       options.wordings.push_back(
-          {"Appointment", {}, "I " + ask + " a word with [Priya Nair](Host)"});
+          {"Appointment",
+           {},
+           fmt::format("I {} a word with [Priya Nair](Host)", ask)});
     }
   options.other_talk = {"who won the match", "what is love",
                         "the capital of France", "how do I fry an egg"};

@@ -37,16 +37,6 @@ bool says_only_values(const BuiltAct& act, const Utterance& utterance) {
   return true;
 }
 
-// Whether its clause says something else that nothing has understood.
-bool is_in_other_talk(const BuiltAct& act, TokenRange clause,
-                      const Utterance& utterance) {
-  for (auto token = clause.begin; token < clause.end; ++token)
-    if ((token < act.begin || token >= act.end) &&
-        utterance.weight[token] >= full_weight)
-      return true;
-  return false;
-}
-
 // In "an appointment with Dr. Roth on Wednesday", nobody asks for the visiting
 // hours of Wednesday: a value that another topic would take, unasked, in a
 // clause that says what is wanted. Nor in "renew it, it's due on Wednesday": in
@@ -58,7 +48,8 @@ bool is_explained(const BuiltAct& act, const std::vector<BuiltAct>& acts,
     return false;
   const auto clause =
       stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);
-  const bool is_beside = is_in_other_talk(act, clause, utterance) &&
+  const bool is_beside = (utterance.has_content(clause.begin, act.begin) ||
+                          utterance.has_content(act.end, clause.end)) &&
                          std::ranges::none_of(acts, [&](const BuiltAct& other) {
                            return &other != &act && other.topic == act.topic;
                          });

@@ -257,6 +257,13 @@ void join_mended_numbers(std::vector<Token>& list) {
 
 } // namespace
 
+bool Utterance::has_content(std::size_t first, std::size_t last) const {
+  for (auto at = first; at < last && at < weight.size(); ++at)
+    if (weight[at] >= full_weight)
+      return true;
+  return false;
+}
+
 double Utterance::weight_of(std::size_t first, std::size_t last) const {
   double sum = 0;
   for (auto at = first; at < last && at < weight.size(); ++at)

@@ -37,6 +37,8 @@ struct Utterance {
   std::size_t size() const {
     return tokens.list.size();
   }
+  // Whether one of these tokens is a word with a meaning of its own.
+  bool has_content(std::size_t first, std::size_t last) const;
   // The sum of the weights of tokens [first, last).
   double weight_of(std::size_t first, std::size_t last) const;
   // Whether a negation applies to what begins at this token: between the two

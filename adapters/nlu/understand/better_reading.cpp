@@ -92,11 +92,8 @@ bool BetterReading::leaves_words(const BuiltAct& act) const {
 
 // Beside its own words.
 bool BetterReading::leaves_content(const BuiltAct& act) const {
-  for (std::uint32_t token = 0; token < utterance_.size(); ++token)
-    if ((token < act.begin || token >= act.end) &&
-        utterance_.weight[token] >= full_weight)
-      return true;
-  return false;
+  return utterance_.has_content(0, act.begin) ||
+         utterance_.has_content(act.end, utterance_.size());
 }
 
 // A bare value tells no topic by itself. If the conversation does not expect

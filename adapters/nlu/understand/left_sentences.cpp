@@ -6,13 +6,6 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-bool has_content(const Utterance& utterance, TokenRange sentence) {
-  for (auto token = sentence.begin; token < sentence.end; ++token)
-    if (utterance.weight[token] >= full_weight)
-      return true;
-  return false;
-}
-
 bool is_understood(TokenRange sentence, const std::vector<BuiltAct>& acts) {
   return std::ranges::any_of(acts, [&](const BuiltAct& act) {
     return act.begin < sentence.end && sentence.begin < act.end;
@@ -32,7 +25,7 @@ left_sentences(const Utterance& utterance, const std::vector<BuiltAct>& acts) {
     const auto sentence =
         stretch_of(utterance.tokens, {begin, begin + 1}, Break::sentence);
     const bool is_all = sentence.begin == 0 && sentence.end == size;
-    if (!is_all && has_content(utterance, sentence) &&
+    if (!is_all && utterance.has_content(sentence.begin, sentence.end) &&
         !is_understood(sentence, acts))
       left.push_back(
           words_of(utterance.text, utterance.tokens, begin, sentence.end));

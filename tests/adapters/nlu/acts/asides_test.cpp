@@ -71,7 +71,6 @@ TEST(Asides, AreRulesOfNothingButAValue) {
 
 TEST(Asides, AreValuesInAClauseAboutSomethingElse) {
   auto made = acts();
-  made[0].is_declared = true;
   made[1].begin = 4;
   made[1].end = 6;
   EXPECT_EQ(kept(made, "book a taxi, at the bank"), 2U);

@@ -149,19 +149,14 @@ std::string words_frame(const Words& words) {
       lines_of(words));
 }
 
-std::vector<std::string> language_frames(std::string_view arpa, bool rejects) {
+std::vector<std::string> language_frames(std::string_view model, bool rejects) {
   std::vector<std::string> frames;
-  while (!arpa.empty()) {
-    // No line is cut, nor any character.
-    auto size = std::min(arpa.size(), longest_payload);
-    if (size < arpa.size())
-      if (const auto end = arpa.rfind('\n', size - 1); end != arpa.npos)
-        size = end + 1;
-    frames.push_back(frame({{"type", "language"},
-                            {"more", size < arpa.size()},
-                            {"rejects", rejects}},
-                           arpa.substr(0, size)));
-    arpa.remove_prefix(size);
+  while (!model.empty()) {
+    const auto part = model.substr(0, longest_payload);
+    model.remove_prefix(part.size());
+    frames.push_back(frame(
+        {{"type", "language"}, {"more", !model.empty()}, {"rejects", rejects}},
+        part));
   }
   return frames;
 }

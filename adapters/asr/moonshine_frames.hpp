@@ -37,7 +37,7 @@ std::string finish_frame(TurnNumber turn);
 std::string cancel_frame(TurnNumber turn);
 // Its domain model, in as many frames as it needs.
 // `rejects`: speech that it finds too unlikely is no turn.
-std::vector<std::string> language_frames(std::string_view arpa,
+std::vector<std::string> language_frames(std::string_view model,
                                          bool rejects = true);
 // The words of the application; those that do not fit into a frame are left
 // out, the last ones first.

@@ -55,6 +55,7 @@ Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
   if (!sounds)
     return tl::make_unexpected(sounds.error());
   vocabulary.dictionary = dictionary_text(*sounds);
+  vocabulary.domain_model = vocabulary.made->arpa();
   auto grammar = language.fsg(language.sentences());
   vocabulary.grammar = std::move(grammar.text);
   vocabulary.is_whole = grammar.is_whole;
@@ -75,8 +76,7 @@ Expected<Hearing> Hearing::make(std::shared_ptr<const Vocabulary> vocabulary,
   if (auto added = grammar->add_grammar(everything, vocabulary->grammar);
       !added)
     return tl::make_unexpected(added.error());
-  if (auto added = second->add_domain(domain, vocabulary->made->domain_model);
-      !added)
+  if (auto added = second->add_domain(domain, vocabulary->domain_model); !added)
     return tl::make_unexpected(added.error());
   return Hearing(std::move(vocabulary), std::move(*grammar),
                  std::move(*second));

@@ -33,7 +33,8 @@ std::vector<std::string> split_text(const std::string& text);
 // What recognisers load: made once, shared by all.
 // The texts are read by each decoder when it is made.
 struct Vocabulary {
-  std::shared_ptr<const MadeLanguage> made; // with the domain model
+  std::shared_ptr<const MadeLanguage> made;
+  std::string domain_model; // ARPA
   std::string dictionary;
   std::string grammar;  // FSG
   bool is_whole = true; // the grammar: else it has more than can be heard

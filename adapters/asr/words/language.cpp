@@ -7,7 +7,6 @@
 
 #include "adapters/asr/words/sentences.hpp"
 #include "adapters/asr/words/spoken_words.hpp"
-#include "adapters/asr/words/trigrams.hpp"
 #include "adapters/nlu/grammar/examples.hpp"
 #include "adapters/nlu/grammar/jsgf.hpp"
 #include "adapters/nlu/grammar/marked_text.hpp"
@@ -28,8 +27,6 @@ constexpr std::array contracted{
 constexpr double weight_of_said = 20;
 constexpr double weight_of_wording = 5;
 constexpr std::uint64_t seed = 1;
-// Three words that were drawn together once only were so by chance.
-constexpr double least_drawn = 2;
 // Utterances of several sentences, of those drawn.
 constexpr std::size_t one_in = 4;
 
@@ -235,7 +232,7 @@ FsgText Language::fsg(const WordGraph& graph) const {
 }
 
 // Drawn with a fixed seed: equal sources give the same model.
-std::string Language::arpa(std::size_t count) const {
+TrigramCounts Language::counts(std::size_t count) const {
   TrigramCounts counts;
   auto sentences = cover_arcs(sentences_, seed);
   // The platform's grammar says yes in many ways; what the application is about
@@ -260,7 +257,8 @@ std::string Language::arpa(std::size_t count) const {
     for (const auto& value : fill_sets(alone, symbols_, sets_, seed + 1))
       counts.add(value, 0.5);
   }
-  return Trigrams(counts).arpa(symbols_, least_drawn);
+  counts.unite();
+  return counts;
 }
 
 // A value set is that of a slot or a column: its name has a point. It has no

@@ -12,6 +12,7 @@
 #include "adapters/asr/words/conversations.hpp"
 #include "adapters/asr/words/fsg_text.hpp"
 #include "adapters/asr/words/grammar_reader.hpp"
+#include "adapters/asr/words/trigrams.hpp"
 #include "adapters/asr/words/value_sets.hpp"
 #include "adapters/asr/words/word_graph.hpp"
 #include "adapters/nlu/grammar/example_file.hpp"
@@ -43,7 +44,7 @@ struct LanguageSources {
 //   grammars, examples, conversations -> GrammarReader -> parts_ (word graphs)
 //   values of slots, columns, forms   -> ValueSets     -> sets_ (word graphs)
 //   parts_ and sets_ -> fsg():  all sentences, as the decoder reads them
-//                    -> arpa(): drawn sentences, counted in Trigrams
+//                    -> counts(): drawn sentences, for Trigrams
 //                    -> ends(): whether what was heard may be all
 class Language {
 public:
@@ -62,9 +63,12 @@ public:
 
   // What is more than the decoder can hold is left out (FsgText::is_whole).
   FsgText fsg(const WordGraph& graph) const;
-  // The domain model, counted from `count` of all sentences, as many of the
-  // application's own, the wordings, and the conversations.
-  std::string arpa(std::size_t count) const;
+  // What the domain model is made of, counted from `count` of all sentences, as
+  // many of the application's own, the wordings, and the conversations.
+  TrigramCounts counts(std::size_t count) const;
+  const Symbols& symbols() const {
+    return symbols_;
+  }
   // What the graph's sentences are made of, as it is written: the values in
   // them, at most so many, and single words. Forms such as times are left out.
   struct Phrases {

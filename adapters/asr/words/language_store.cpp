@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "adapters/asr/words/packed_trigrams.hpp"
+
 namespace parlour::adapters::asr {
 
 namespace {
@@ -10,13 +12,27 @@ namespace {
 // With fewer, what is seldom said is missing; with more, it takes longer to
 // make, to send and to read.
 constexpr std::size_t drawn_sentences = 20'000;
+// Three words that were drawn together once only were so by chance.
+constexpr double least_drawn = 2;
 
 } // namespace
 
 MadeLanguage::MadeLanguage(const LanguageSources& sources)
-    : language(sources), domain_model(language.sentences().arc_count() == 0
-                                          ? std::string()
-                                          : language.arpa(drawn_sentences)) {}
+    : language(sources), counts(language.sentences().arc_count() == 0
+                                    ? TrigramCounts()
+                                    : language.counts(drawn_sentences)) {}
+
+std::string MadeLanguage::arpa() const {
+  if (counts.empty())
+    return "";
+  return Trigrams(counts, least_drawn).arpa(language.symbols());
+}
+
+std::string MadeLanguage::packed_model() const {
+  if (counts.empty())
+    return "";
+  return packed(counts, language.symbols(), least_drawn);
+}
 
 bool LanguageStore::Kept::is_of(const LanguageSources& wanted) const {
   return sources.model == wanted.model && sources.generic == wanted.generic &&

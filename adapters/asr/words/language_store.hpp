@@ -19,8 +19,13 @@ namespace parlour::adapters::asr {
 struct MadeLanguage {
   explicit MadeLanguage(const LanguageSources& sources);
 
+  // The domain model in the ARPA format, and as packed() writes it; empty if
+  // nothing is said. Takes half a second.
+  std::string arpa() const;
+  std::string packed_model() const;
+
   Language language;
-  std::string domain_model; // ARPA; empty if nothing is said
+  TrigramCounts counts;
 };
 
 // Thread-safe. Where several threads want the same language that is not there

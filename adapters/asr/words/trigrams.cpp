@@ -11,28 +11,64 @@ namespace parlour::adapters::asr {
 
 namespace {
 
-// In place of words that do not belong to a shorter context.
-constexpr Symbol nothing = 0xFFFFD;
 constexpr unsigned bits = 20; // of a symbol
 
-using Key = TrigramCounts::Key;
+using Counted = TrigramCounts::Counted;
+using Row = Trigrams::Row;
+using Order = Trigrams::Order;
 
-Key pair_of(Symbol last, Symbol word) {
-  return TrigramCounts::key(nothing, last, word);
-}
-
-Key word_of(Symbol word) {
-  return pair_of(nothing, word);
-}
-
-Symbol symbol_at(Key key, unsigned place) {
+Symbol symbol_at(std::uint64_t key, unsigned place) {
   return static_cast<Symbol>(key >> place * bits) & ((1U << bits) - 1);
 }
 
-std::string text_of(Symbol symbol, const Symbols& symbols) {
-  return symbol == sentence_begin ? "<s>"
-         : symbol == sentence_end ? "</s>"
-                                  : symbols.text(symbol);
+// Sorted, and each key once.
+std::vector<Counted> united(std::vector<Counted> counted) {
+  std::ranges::sort(counted, {}, &Counted::key);
+  std::vector<Counted> made;
+  for (const auto& one : counted)
+    if (made.empty() || made.back().key != one.key)
+      made.push_back(one);
+    else
+      made.back().times += one.times;
+  return made;
+}
+
+// Each row's context is what its key has before its last symbol. Rows of
+// contexts that are not above are left out.
+Order order_of(const std::vector<Counted>& counted,
+               const std::vector<Counted>& above) {
+  Order made;
+  auto one = counted.begin();
+  for (const auto& context : above) {
+    made.begins.push_back(static_cast<std::uint32_t>(made.rows.size()));
+    for (; one != counted.end() && one->key >> bits == context.key; ++one)
+      made.rows.push_back({symbol_at(one->key, 0), one->times});
+  }
+  made.begins.push_back(static_cast<std::uint32_t>(made.rows.size()));
+  return made;
+}
+
+// The row of a word; null if it has none.
+const Row* find(std::span<const Row> rows, Symbol word) {
+  const auto found = std::ranges::lower_bound(rows, word, {}, &Row::word);
+  return found == rows.end() || found->word != word ? nullptr : &*found;
+}
+
+// Witten and Bell: a context that was followed by many different words is
+// believed less, as others may follow it, too. Returns what is left for them.
+// `shorter`: the probability of a word in the shorter context.
+template <typename Shorter>
+double weigh_rows(std::span<Row> rows, const Shorter& shorter) {
+  double times = 0;
+  for (const auto& row : rows)
+    times += row.times;
+  if (times <= 0)
+    return 1;
+  const auto trust = times / (times + static_cast<double>(rows.size()));
+  for (auto& row : rows)
+    row.probability =
+        trust * row.times / times + (1 - trust) * shorter(row.word);
+  return 1 - trust;
 }
 
 double decimal_logarithm(double probability) {
@@ -41,138 +77,171 @@ double decimal_logarithm(double probability) {
 
 } // namespace
 
-Key TrigramCounts::key(Symbol before, Symbol last, Symbol word) {
-  return (static_cast<Key>(before) << bits | last) << bits | word;
+std::uint64_t TrigramCounts::key(Symbol before, Symbol last, Symbol word) {
+  return (static_cast<std::uint64_t>(before) << bits | last) << bits | word;
 }
 
 void TrigramCounts::add(const Sentence& sentence, double weight) {
   auto before = sentence_begin;
   auto last = sentence_begin;
   for (const auto word : sentence) {
-    triples_[key(before, last, word)] += weight;
+    said_.push_back({key(before, last, word), weight});
     before = std::exchange(last, word);
   }
-  triples_[key(before, last, sentence_end)] += weight;
+  said_.push_back({key(before, last, sentence_end), weight});
 }
 
-// -- contexts -----------------------------------------------------------------
-
-// Witten and Bell: a context that was followed by many different words is
-// believed less, as others may follow it, too.
-double Trigrams::Context::trust() const {
-  return count > 0 ? count / (count + static_cast<double>(words)) : 0;
+void TrigramCounts::unite() {
+  said_ = united(std::move(said_));
 }
 
-void Trigrams::Order::count(Key context, Key with_word, double times) {
-  auto& counted = counts[with_word];
-  auto& in = contexts[context];
-  in.words += counted == 0 ? 1 : 0;
-  in.count += times;
-  counted += times;
+std::vector<Counted> TrigramCounts::triples() const {
+  return united(said_);
 }
 
-// `rest` is the probability in the shorter context.
-double Trigrams::Order::interpolated(Key context, Key with_word,
-                                     double rest) const {
-  const auto in = contexts.find(context);
-  if (in == contexts.end())
-    return rest;
-  const auto found = counts.find(with_word);
-  const auto own = found == counts.end() ? 0 : found->second / in->second.count;
-  const auto trust = in->second.trust();
-  return trust * own + (1 - trust) * rest;
+TrigramCounts
+TrigramCounts::renamed(const std::function<Symbol(Symbol)>& name) const {
+  const auto renamed = [&](Symbol symbol) {
+    return symbol >= sentence_end ? symbol : name(symbol);
+  };
+  TrigramCounts made;
+  for (const auto& [triple, times] : triples())
+    made.said_.push_back(
+        {key(renamed(symbol_at(triple, 2)), renamed(symbol_at(triple, 1)),
+             renamed(symbol_at(triple, 0))),
+         times});
+  return made;
 }
 
-double Trigrams::Order::back_off(Key context) const {
-  const auto in = contexts.find(context);
-  return in == contexts.end() ? 0 : decimal_logarithm(1 - in->second.trust());
+// -- the tree -----------------------------------------------------------------
+
+std::span<const Row> Order::below(std::size_t above) const {
+  return std::span(rows).subspan(begins[above],
+                                 begins[above + 1] - begins[above]);
 }
 
-// -- the model ----------------------------------------------------------------
-
-Trigrams::Trigrams(const TrigramCounts& counts) {
-  for (const auto& [key, times] : counts.triples()) {
-    const auto word = symbol_at(key, 0);
-    const auto last = symbol_at(key, 1);
-    words_.count(word_of(nothing), word_of(word), times);
-    pairs_.count(word_of(last), pair_of(last, word), times);
-    triples_.count(pair_of(symbol_at(key, 2), last), key, times);
+// Nothing is above what begins a sentence: such triples are pairs.
+Trigrams::Trigrams(const TrigramCounts& counts, double least) {
+  const auto triples = counts.triples();
+  std::vector<Counted> pairs;
+  std::vector<Counted> words{{sentence_begin, 0}};
+  for (const auto& [key, times] : triples) {
+    pairs.push_back({key & ((std::uint64_t{1} << 2 * bits) - 1), times});
+    words.push_back({symbol_at(key, 0), times});
   }
+  words = united(std::move(words));
+  pairs = united(std::move(pairs));
+  words_ = order_of(words, {{}});
+  pairs_ = order_of(pairs, words);
+  triples_ = order_of(triples, pairs);
+  weigh();
+  leave_out(least);
 }
 
 // The shortest context has a shorter one still: all words equally probable.
+void Trigrams::weigh() {
+  const auto rows_below = [](Order& order, std::size_t above) {
+    return std::span(order.rows)
+        .subspan(order.begins[above], order.below(above).size());
+  };
+  const auto spoken = words_.rows.size() - 1;
+  weigh_rows(std::span(words_.rows).first(spoken),
+             [&](Symbol) { return 1 / static_cast<double>(spoken); });
+  for (std::size_t i = 0; i < words_.rows.size(); ++i)
+    words_.rows[i].left = weigh_rows(
+        rows_below(pairs_, i), [&](Symbol word) { return of_word(word); });
+  for (std::size_t i = 0; i < pairs_.rows.size(); ++i) {
+    const auto shorter = pairs_.below(word_at(pairs_.rows[i].word));
+    pairs_.rows[i].left = weigh_rows(rows_below(triples_, i), [&](Symbol word) {
+      return find(shorter, word)->probability;
+    });
+  }
+}
+
+void Trigrams::leave_out(double least) {
+  Order kept;
+  for (std::size_t i = 0; i < pairs_.rows.size(); ++i) {
+    kept.begins.push_back(static_cast<std::uint32_t>(kept.rows.size()));
+    std::ranges::copy_if(triples_.below(i), std::back_inserter(kept.rows),
+                         [&](const Row& row) { return row.times >= least; });
+  }
+  kept.begins.push_back(static_cast<std::uint32_t>(kept.rows.size()));
+  triples_ = std::move(kept);
+}
+
+// Their number for an unknown one.
+std::size_t Trigrams::word_at(Symbol word) const {
+  const auto* const row = find(words_.rows, word);
+  return row ? static_cast<std::size_t>(row - words_.rows.data())
+             : words_.rows.size();
+}
+
 double Trigrams::of_word(Symbol word) const {
-  const auto size =
-      static_cast<double>(std::max<std::size_t>(1, words_.counts.size()));
-  return words_.interpolated(word_of(nothing), word_of(word), 1 / size);
+  const auto* const row = find(words_.rows, word);
+  return row ? row->probability : 0;
 }
 
 double Trigrams::of_pair(Symbol last, Symbol word) const {
-  return pairs_.interpolated(word_of(last), pair_of(last, word), of_word(word));
+  const auto context = word_at(last);
+  if (context == words_.rows.size())
+    return of_word(word);
+  const auto* const row = find(pairs_.below(context), word);
+  return row ? row->probability : words_.rows[context].left * of_word(word);
 }
 
 double Trigrams::probability(Symbol before, Symbol last, Symbol word) const {
-  return triples_.interpolated(pair_of(before, last),
-                               TrigramCounts::key(before, last, word),
-                               of_pair(last, word));
+  const auto context = word_at(before);
+  if (context == words_.rows.size())
+    return of_pair(last, word);
+  const auto* const pair = find(pairs_.below(context), last);
+  if (!pair)
+    return of_pair(last, word);
+  const auto index = static_cast<std::size_t>(pair - pairs_.rows.data());
+  const auto* const row = find(triples_.below(index), word);
+  return row ? row->probability : pair->left * of_pair(last, word);
 }
 
-// What stands in the file for a known triple is the interpolated probability;
-// for the others, the reader multiplies that of the pair by the back-off
-// weight, which is the trust that is left.
-//
+// -- the ARPA format ----------------------------------------------------------
+
+std::string word_text(Symbol symbol, const Symbols& symbols) {
+  return symbol == sentence_begin ? "<s>"
+         : symbol == sentence_end ? "</s>"
+                                  : symbols.text(symbol);
+}
+
 // A line of the file is the logarithm of a probability, the words, and the
-// logarithm of the back-off weight: "-1.2041 coffee shop -0.3010".
-std::string Trigrams::arpa(const Symbols& symbols, double least) const {
-  fmt::memory_buffer one;
-  fmt::memory_buffer two;
-  fmt::memory_buffer three;
-  std::size_t ones = 1;
-  std::size_t twos = 0;
-  std::size_t threes = 0;
-  auto write = [&](fmt::memory_buffer& to, double probability,
-                   const auto&... words) {
-    fmt::format_to(std::back_inserter(to), "{:.4f}",
-                   decimal_logarithm(probability));
-    (fmt::format_to(std::back_inserter(to), " {}", words), ...);
-  };
-  auto end_line = [](fmt::memory_buffer& to, double weight) {
-    fmt::format_to(std::back_inserter(to), " {:.4f}\n", weight);
-  };
-  // <s> is never said; it is a context only.
-  fmt::format_to(std::back_inserter(one), "-99 <s> {:.4f}\n",
-                 pairs_.back_off(word_of(sentence_begin)));
-  for (const auto& [key, count] : words_.counts) {
-    const auto word = symbol_at(key, 0);
-    write(one, of_word(word), text_of(word, symbols));
-    end_line(one, pairs_.back_off(word_of(word)));
-    ++ones;
-  }
-  for (const auto& [key, count] : pairs_.counts) {
-    const auto word = symbol_at(key, 0);
-    const auto last = symbol_at(key, 1);
-    write(two, of_pair(last, word), text_of(last, symbols),
-          text_of(word, symbols));
-    end_line(two, triples_.back_off(pair_of(last, word)));
-    ++twos;
-  }
-  for (const auto& [key, count] : triples_.counts) {
-    const auto word = symbol_at(key, 0);
-    const auto last = symbol_at(key, 1);
-    const auto before = symbol_at(key, 2);
-    // "<s> <s> word" is the pair.
-    if (last == sentence_begin || count < least)
-      continue;
-    write(three, probability(before, last, word), text_of(before, symbols),
-          text_of(last, symbols), text_of(word, symbols));
-    three.push_back('\n');
-    ++threes;
-  }
-  return fmt::format("\\data\\\nngram 1={}\nngram 2={}\nngram "
-                     "3={}\n\n\\1-grams:\n{}\n\\2-grams:\n{}\n\\3-grams:\n{}\n"
-                     "\\end\\\n",
-                     ones, twos, threes, fmt::to_string(one),
-                     fmt::to_string(two), fmt::to_string(three));
+// logarithm of what is left behind them: "-1.2041 coffee shop -0.3010".
+// For a triple that is not there, the reader multiplies the probability of the
+// pair by what is left.
+std::string Trigrams::arpa(const Symbols& symbols) const {
+  std::vector<std::string> texts;
+  for (const auto& row : words_.rows)
+    texts.push_back(word_text(row.word, symbols));
+  fmt::memory_buffer text;
+  auto to = std::back_inserter(text);
+  fmt::format_to(to, "\\data\\\nngram 1={}\nngram 2={}\nngram 3={}\n",
+                 words_.rows.size(), pairs_.rows.size(), triples_.rows.size());
+  fmt::format_to(to, "\n\\1-grams:\n");
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    fmt::format_to(to, "{:.4f} {} {:.4f}\n",
+                   decimal_logarithm(words_.rows[i].probability), texts[i],
+                   decimal_logarithm(words_.rows[i].left));
+  fmt::format_to(to, "\n\\2-grams:\n");
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    for (const auto& row : pairs_.below(i))
+      fmt::format_to(to, "{:.4f} {} {} {:.4f}\n",
+                     decimal_logarithm(row.probability), texts[i],
+                     texts[word_at(row.word)], decimal_logarithm(row.left));
+  fmt::format_to(to, "\n\\3-grams:\n");
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    for (auto pair = pairs_.begins[i]; pair < pairs_.begins[i + 1]; ++pair)
+      for (const auto& row : triples_.below(pair))
+        fmt::format_to(to, "{:.4f} {} {} {}\n",
+                       decimal_logarithm(row.probability), texts[i],
+                       texts[word_at(pairs_.rows[pair].word)],
+                       texts[word_at(row.word)]);
+  fmt::format_to(to, "\n\\end\\\n");
+  return fmt::to_string(text);
 }
 
 } // namespace parlour::adapters::asr

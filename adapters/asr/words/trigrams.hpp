@@ -4,9 +4,11 @@
 // context by a back-off weight; they sum to 1 in every context.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "adapters/asr/words/sentences.hpp"
@@ -21,64 +23,87 @@ inline constexpr Symbol sentence_end = 0xFFFFE;
 // that.
 class TrigramCounts {
 public:
-  // Three symbols in one number.
-  using Key = std::uint64_t;
-  using Counts = std::unordered_map<Key, double>;
+  struct Counted {
+    std::uint64_t key = 0; // three symbols in one number
+    double times = 0;
+  };
 
-  static Key key(Symbol before, Symbol last, Symbol word);
+  static std::uint64_t key(Symbol before, Symbol last, Symbol word);
 
   // The sentence counts `weight` times. Its end is a word, too.
   void add(const Sentence& sentence, double weight = 1);
 
-  const Counts& triples() const {
-    return triples_;
+  // Takes less memory then: each triple is there once.
+  void unite();
+
+  bool empty() const {
+    return said_.empty();
   }
+  // Each once, in the order of their keys.
+  std::vector<Counted> triples() const;
+  // With other symbols; those that become one are counted together. The
+  // sentences' begins and ends stay.
+  TrigramCounts renamed(const std::function<Symbol(Symbol)>& name) const;
 
 private:
-  Counts triples_;
+  std::vector<Counted> said_;
 };
 
-// Immutable after it was made.
+// Immutable after it was made. It is a tree: below each word are those that
+// were said behind it, and below each of these what was said behind both.
 class Trigrams {
 public:
-  explicit Trigrams(const TrigramCounts& counts);
+  // A word in its context: the rows above it.
+  struct Row {
+    Symbol word = 0;
+    double times = 0;
+    double probability = 0;
+    // Of all words behind this one, what is left for those not seen there.
+    double left = 1;
+  };
+  struct Order {
+    // By the symbols of their words, below each row of the order above.
+    std::vector<Row> rows;
+    // Where the rows below each row of the order above begin; the end.
+    std::vector<std::uint32_t> begins;
+
+    std::span<const Row> below(std::size_t above) const;
+  };
+
+  // Triples that were counted less than `least` are left to the pairs.
+  explicit Trigrams(const TrigramCounts& counts, double least = 0);
+
+  // The last of the words is `sentence_begin`, which is only a context.
+  const Order& words() const {
+    return words_;
+  }
+  const Order& pairs() const {
+    return pairs_;
+  }
+  const Order& triples() const {
+    return triples_;
+  }
 
   // The probability of a word behind two others, of which each may be
   // `sentence_begin`; the end is `sentence_end`.
   double probability(Symbol before, Symbol last, Symbol word) const;
 
-  // Words are written as `symbols` has them. Triples that were counted less
-  // than `least` are left to the back-off.
-  std::string arpa(const Symbols& symbols, double least = 0) const;
+  // Words are written as word_text() has them.
+  std::string arpa(const Symbols& symbols) const;
 
 private:
-  using Key = TrigramCounts::Key;
-
-  // What words follow in.
-  struct Context {
-    double count = 0;
-    std::size_t words = 0; // different ones
-
-    // How much the context itself is believed, 0 to 1.
-    double trust() const;
-  };
-  // Contexts, and the words in them, each by the words that they consist of.
-  struct Order {
-    std::unordered_map<Key, Context> contexts;
-    TrigramCounts::Counts counts;
-
-    void count(Key context, Key with_word, double times);
-    double interpolated(Key context, Key with_word, double rest) const;
-    // The logarithm of what is left for words that were not seen there.
-    double back_off(Key context) const;
-  };
-
+  void weigh();
+  void leave_out(double least);
+  std::size_t word_at(Symbol word) const;
   double of_word(Symbol word) const;
   double of_pair(Symbol last, Symbol word) const;
 
-  Order words_;   // in the one context `nothing`
-  Order pairs_;   // by the last word
-  Order triples_; // by the last two
+  Order words_; // all below one
+  Order pairs_;
+  Order triples_;
 };
+
+// "<s>" and "</s>" where a sentence begins and ends.
+std::string word_text(Symbol symbol, const Symbols& symbols);
 
 } // namespace parlour::adapters::asr

@@ -174,31 +174,95 @@ WordGraph without_dead_ends(const WordGraph& graph) {
   return made;
 }
 
-// States are told apart step by step, by which parts their arcs lead to, until
-// nothing changes.
-Parts refined(Parts parts, const std::vector<Arcs>& arcs) {
-  using Signature = std::pair<std::uint32_t, Arcs>;
-  for (std::size_t count = 0;;) {
-    std::map<Signature, std::uint32_t> numbers;
-    Parts next;
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      Signature signature{parts[i], arcs[i]};
-      for (auto& arc : signature.second)
-        arc.target = parts[arc.target];
-      sort_arcs(signature.second);
-      // Numbered in the order of the states, so that state 0 stays the first.
-      next.push_back(
-          numbers
-              .try_emplace(std::move(signature),
-                           static_cast<std::uint32_t>(numbers.size()))
-              .first->second);
-    }
-    parts = std::move(next);
-    if (numbers.size() == count)
-      return parts;
-    count = numbers.size();
+// Tells states apart by which parts their arcs lead to, until nothing changes.
+// Only parts are looked at from which arcs lead to what has changed, and of a
+// part that falls apart the largest piece keeps its number: so each state is
+// looked at few times.
+class Refinement {
+public:
+  Refinement(Parts parts, const std::vector<Arcs>& arcs,
+             const std::vector<Arcs>& arcs_to)
+      : parts_(std::move(parts)), arcs_(arcs), arcs_to_(arcs_to) {
+    members_.resize(std::ranges::max(parts_) + 1);
+    for (std::uint32_t state = 0; state < parts_.size(); ++state)
+      members_[parts_[state]].push_back(state);
+    for (std::uint32_t part = 0; part < members_.size(); ++part)
+      touch(part);
   }
-}
+
+  Parts run() {
+    while (!touched_.empty()) {
+      const auto part = touched_.back();
+      touched_.pop_back();
+      is_touched_[part] = false;
+      split(part);
+    }
+    return numbered();
+  }
+
+private:
+  using States = std::vector<std::uint32_t>;
+
+  // One that has a single state cannot fall apart.
+  void touch(std::uint32_t part) {
+    is_touched_.resize(members_.size());
+    if (members_[part].size() < 2 || is_touched_[part])
+      return;
+    is_touched_[part] = true;
+    touched_.push_back(part);
+  }
+
+  Arcs signature(std::uint32_t state) const {
+    auto signature = arcs_[state];
+    for (auto& arc : signature)
+      arc.target = parts_[arc.target];
+    sort_arcs(signature);
+    return signature;
+  }
+
+  void split(std::uint32_t part) {
+    std::map<Arcs, States> pieces;
+    for (const auto state : members_[part])
+      pieces[signature(state)].push_back(state);
+    if (pieces.size() == 1)
+      return;
+    const auto size = [](const auto& piece) { return piece.second.size(); };
+    const auto largest = std::ranges::max_element(pieces, {}, size);
+    members_[part] = std::move(largest->second);
+    pieces.erase(largest);
+    States moved;
+    for (auto& [arcs, states] : pieces) {
+      for (const auto state : states)
+        parts_[state] = static_cast<std::uint32_t>(members_.size());
+      moved.insert(moved.end(), states.begin(), states.end());
+      members_.push_back(std::move(states));
+    }
+    for (const auto state : moved)
+      for (const auto& arc : arcs_to_[state])
+        touch(parts_[arc.target]);
+  }
+
+  // In the order of the states, so that state 0 stays the first.
+  Parts numbered() const {
+    constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> numbers(members_.size(), none);
+    std::uint32_t count = 0;
+    Parts made;
+    for (const auto part : parts_) {
+      if (numbers[part] == none)
+        numbers[part] = count++;
+      made.push_back(numbers[part]);
+    }
+    return made;
+  }
+
+  Parts parts_;
+  const std::vector<Arcs>& arcs_;
+  const std::vector<Arcs>& arcs_to_; // the same ones, seen from their ends
+  std::vector<States> members_;      // of each part
+  std::vector<bool> is_touched_;
+  States touched_; // parts
+};
 
 // Each part becomes one state.
 WordGraph merged(const WordGraph& graph, const Parts& parts) {
@@ -222,12 +286,16 @@ WordGraph smaller(const WordGraph& graph) {
   Parts first_or_not(living.states.size(), 1);
   first_or_not[0] = 0;
   const auto same_begins =
-      merged(living, refined(std::move(first_or_not), reversed(living)));
+      merged(living, Refinement(std::move(first_or_not), reversed(living),
+                                arcs_of(living))
+                         .run());
   Parts final_or_not;
   for (const auto& state : same_begins.states)
     final_or_not.push_back(state.is_final);
   return merged(same_begins,
-                refined(std::move(final_or_not), arcs_of(same_begins)));
+                Refinement(std::move(final_or_not), arcs_of(same_begins),
+                           reversed(same_begins))
+                    .run());
 }
 
 // A state has the arcs of all to which arcs without a word lead. At most so

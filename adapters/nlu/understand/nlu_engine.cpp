@@ -4,6 +4,7 @@
 #include "adapters/nlu/understand/nlu_engine.hpp"
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 #include <fmt/format.h>
@@ -232,14 +233,16 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
   Schema schema(model, columns, errors);
   AutomatonBuilder builder(schema, errors);
   add_rules(model, options.generic, schema, builder, errors);
-  auto automaton = builder.finish();
+  const auto unmerged = builder.finish();
   if (!errors.empty())
     return tl::make_unexpected(std::move(errors));
+  // Both take long, and neither needs what the other makes.
+  auto merged = std::async(std::launch::async, merge_states, unmerged);
   auto known = taught ? Expected<SharedTaught>(taught->implementation_->taught)
-                      : teach(model, schema, automaton, options);
+                      : teach(model, schema, unmerged, options);
+  auto automaton = merged.get();
   if (!known)
     return tl::make_unexpected(std::vector{known.error()});
-  automaton = merge_states(std::move(automaton));
   for (const auto word : all_hesitations())
     if (schema.values().has_word(word))
       automaton.own_hesitations.emplace(word);

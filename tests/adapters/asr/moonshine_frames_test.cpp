@@ -28,11 +28,11 @@ TEST(MoonshineFrames, WordsThatDoNotFitAreLeftOut) {
   EXPECT_THAT(words_frame(words), HasSubstr("xxx\nxxx"));
 }
 
-TEST(MoonshineFrames, AModelComesInPartsOfWholeLines) {
+TEST(MoonshineFrames, AModelComesInParts) {
   EXPECT_TRUE(language_frames("").empty());
-  EXPECT_EQ(language_frames("-1 a\n"),
+  EXPECT_EQ(language_frames("bytes"),
             std::vector<std::string>{"{\"type\":\"language\",\"more\":false,"
-                                     "\"rejects\":true,\"bytes\":5}\n-1 a\n"});
+                                     "\"rejects\":true,\"bytes\":5}\nbytes"});
   std::string model;
   while (model.size() < (2 << 20) + 5)
     model += "-1.5 one of many words\n";
@@ -41,7 +41,6 @@ TEST(MoonshineFrames, AModelComesInPartsOfWholeLines) {
   std::string joined;
   for (const auto& frame : frames) {
     EXPECT_LT(frame.size(), (1 << 20) + 100);
-    EXPECT_EQ(frame.back(), '\n');
     EXPECT_EQ(frame.find("\"more\":true") == std::string::npos,
               &frame == &frames.back());
     joined += frame.substr(frame.find('\n') + 1);

@@ -56,9 +56,8 @@ TEST_F(MoonshineGrammarsTest, KnowWhereASentenceMayEnd) {
 
 TEST_F(MoonshineGrammarsTest, HaveADomainModel) {
   const auto model = grammars.domain_model();
-  EXPECT_THAT(model, testing::HasSubstr("\\3-grams:"));
-  EXPECT_THAT(model, testing::HasSubstr("i want to"));
-  EXPECT_THAT(model, testing::HasSubstr("jeffery ho"));
+  for (const auto* const word : {"\nwant\n", "\njeffery\n", "\n<s>\n"})
+    EXPECT_THAT(model, testing::HasSubstr(word));
   const MoonshineGrammars none{
       std::make_shared<asr::MadeLanguage>(asr::LanguageSources{})};
   EXPECT_EQ(none.domain_model(), "");

@@ -6,6 +6,9 @@ import { test } from "node:test";
 import { Detector } from "../../../tools/agents/moonshine/detector.mjs";
 import { END } from "../../../tools/agents/moonshine/model.mjs";
 import {
+  DomainModel, OUTSIDE, readModel,
+} from "../../../tools/agents/moonshine/domain_model.mjs";
+import {
   Guidance, Language,
 } from "../../../tools/agents/moonshine/language.mjs";
 import { Levels } from "../../../tools/agents/moonshine/levels.mjs";
@@ -89,28 +92,57 @@ test("a name earns more than another phrase", () => {
 
 // -- the domain model: tokens of a few words
 
+// As it is sent: rows of [word, probability, left], and what is below each.
+function sent(words, pairs, triples) {
+  const log = (one) => Math.log(one);
+  const texts = Buffer.from(words.map(([text]) => `${text}\n`).join(""));
+  const padded = Buffer.concat(
+    [texts, Buffer.alloc((4 - texts.length % 4) % 4, "\n")]);
+  const numbers = (...all) => Buffer.from(Uint32Array.from(all).buffer);
+  const floats = (all) => Buffer.from(Float32Array.from(all).buffer);
+  const at = (text) => words.findIndex(([one]) => one === text);
+  const begins = (above, rows, isBelow) => [...above, null].map((one, i) =>
+    rows.filter((row) => above.findIndex((up) => isBelow(row, up)) < i).length);
+  const order = (above, rows, isBelow) => Buffer.concat([
+    numbers(...begins(above, rows, isBelow)),
+    numbers(...rows.map(([row]) => at(row.split(" ").at(-1)))),
+    floats(rows.map(([, probability]) => log(probability)))]);
+  const behind = ([row], [up]) => row.startsWith(`${up} `);
+  return Buffer.concat([
+    numbers(words.length, pairs.length, triples.length, padded.length), padded,
+    floats(words.map(([, probability]) => log(probability))),
+    floats(words.map(([,, left]) => log(left))),
+    order(words, pairs, behind), floats(pairs.map(([,, left]) => log(left))),
+    order(pairs, triples, behind)]);
+}
+
 const pieces = ["", "", "\u2581I", "\u2581see", "\u2581sea", "\u2581Dr",
   ".", "\u25815", "\u2581s", "ea"];
-const model = new Language(`\\data\\
-ngram 1=5
-
-\\1-grams:
--1.0\ti\t-0.5
--1.0\tsee\t-0.5
--2.0\tsea
--2.0\tdoctor
--1.0\t</s>
-
-\\2-grams:
--0.1\ti see\t-0.2
-
-\\3-grams:
--0.1\t<s> i see
-
-\\end\\
-`, pieces);
+const domain = readModel(sent(
+  [["i", 0.1, 0.3], ["see", 0.1, 0.3], ["sea", 0.01, 1], ["doctor", 0.01, 1],
+    ["</s>", 0.1, 1], ["<s>", 0, 0.5]],
+  [["i see", 0.8, 0.6], ["<s> i", 0.4, 0.2]],
+  [["<s> i see", 0.9]]));
+const model = new Language(domain, pieces);
 const said = (...tokens) =>
   tokens.reduce((at, token) => model.follow(at, token), model.start);
+
+test("a model is read as it is sent", () => {
+  const near = (found, wanted) =>
+    assert.ok(Math.abs(found - Math.log(wanted)) < 1e-6);
+  const [i, see, sea] = ["i", "see", "sea"].map((word) => domain.number(word));
+  const behind = domain.behind(domain.start, i);
+  near(domain.probability(behind, see), 0.9);
+  near(domain.probability(behind, sea), 0.2 * 0.3 * 0.01);
+  near(domain.probability(domain.start, i), 0.4);
+  near(domain.probability(domain.start, see), 0.5 * 0.1);
+  near(domain.likeliest(behind, "se"), 0.9);
+  near(domain.likeliest(domain.start, "se"), 0.5 * 0.1);
+  assert.equal(domain.number("seal"), OUTSIDE);
+  assert.equal(domain.probability(behind, OUTSIDE), -Infinity);
+  assert.equal(domain.likeliest(behind, "x"), -Infinity);
+  assert.throws(() => readModel(Buffer.from("too few bytes")));
+});
 
 test("words that follow each other score higher", () => {
   assert.ok(model.final(said(2, 3)) > model.final(said(2, 4)));
@@ -123,7 +155,7 @@ test("a word that has begun is the likeliest one", () => {
 });
 
 test("what the model has in words may be written otherwise", () => {
-  const outside = new Language("", pieces);
+  const outside = new Language(DomainModel.empty(), pieces);
   assert.ok(model.final(said(5, 6)) >
     outside.final(outside.follow(outside.start, 5)));
   assert.equal(model.hoped(said(7)), 0); // a figure

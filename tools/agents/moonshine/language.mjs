@@ -3,9 +3,10 @@
 // the likeliest of the words that begin so. Words that it lacks are possible
 // and cost what its unlikeliest words cost.
 
+import { OUTSIDE } from "./domain_model.mjs";
+
 const WORD = "\u2581"; // stands for the space before a word
 const NO_PIECE = { text: "", startsWord: false };
-const OUTSIDE = "\u0000"; // a word that it lacks
 
 // How much it counts beside the network, in natural logarithms of
 // probabilities; chosen by measuring.
@@ -51,85 +52,16 @@ export class Guidance {
 }
 
 export class Language {
-  // A 3-gram model in the ARPA format; `pieces`: the text of each token.
+  // `pieces`: the text of each token.
   constructor(
-    arpa, pieces, { weight = WEIGHT, least = LEAST, each = EACH_WORD } = {}) {
+    model, pieces, { weight = WEIGHT, least = LEAST, each = EACH_WORD } = {}) {
     this.pieces = pieces.map(
       (piece) => ({ text: plain(piece), startsWord: piece.startsWith(WORD) }));
+    this.model = model;
     this.weight = weight;
     this.least = least;
     this.each = each;
-    // By context, "" for none: how much what is not in it counts, and what
-    // follows it.
-    this.contexts = new Map();
-    this.read(arpa);
-    this.start = { before: "<s>", last: "<s>", word: "", kept: 0 };
-  }
-
-  read(arpa) {
-    let order = 0;
-    for (const line of arpa.split("\n")) {
-      const section = /^\\(\d)-grams:/.exec(line);
-      if (section)
-        order = Number(section[1]);
-      else if (order && line && !line.startsWith("\\"))
-        this.add(line.split(/[ \t]/), order);
-    }
-  }
-
-  add([log, ...rest], order) {
-    const words = rest.slice(0, order).map(
-      (word) => word.startsWith("<") ? word : plain(word));
-    const context = this.context(words.slice(0, -1).join(" "));
-    const value = Number(log) * Math.LN10;
-    const word = words.at(-1);
-    const known = context.words.get(word);
-    if (known === undefined || known < value)
-      context.words.set(word, value);
-    if (rest.length > order)
-      this.context(words.join(" ")).backOff = Number(rest[order]) * Math.LN10;
-  }
-
-  context(name) {
-    let found = this.contexts.get(name);
-    if (!found)
-      this.contexts.set(name,
-        found = { backOff: 0, words: new Map(), beginnings: null });
-    return found;
-  }
-
-  // The likeliest word of a context for each beginning of a word.
-  beginnings(context) {
-    if (context.beginnings)
-      return context.beginnings;
-    const all = context.beginnings = new Map();
-    for (const [word, value] of context.words)
-      for (let length = 1; length <= word.length; ++length) {
-        const part = word.slice(0, length);
-        if (!(all.get(part) >= value))
-          all.set(part, value);
-      }
-    return all;
-  }
-
-  // The logarithm of the probability of a word, or of the likeliest one that
-  // begins so.
-  probability({ before, last }, word, isBeginning) {
-    let backOff = 0;
-    let best = -Infinity;
-    for (const name of [`${before} ${last}`, last, ""]) {
-      const context = this.contexts.get(name);
-      if (!context)
-        continue;
-      const words = isBeginning ? this.beginnings(context) : context.words;
-      const found = words.get(word);
-      if (found !== undefined)
-        best = Math.max(best, found + backOff);
-      if (best > -Infinity && !isBeginning)
-        break;
-      backOff += context.backOff;
-    }
-    return best;
+    this.start = { behind: model.start, word: "", kept: 0 };
   }
 
   scored(log) {
@@ -149,13 +81,17 @@ export class Language {
     if (!place.word)
       return place;
     // A number stands for words that are written in figures.
-    const isNumber = isFigure(place.word);
-    const word = SAID[place.word] ?? place.word;
-    const log = isNumber ? -this.each : this.probability(place, word, false);
+    if (isFigure(place.word))
+      return this.went(place, OUTSIDE, -this.each);
+    const word = this.model.number(SAID[place.word] ?? place.word);
+    return this.went(
+      place, word, this.model.probability(place.behind, word));
+  }
+
+  went({ behind, kept }, word, log) {
     return {
-      before: place.last, word: "",
-      last: log > -Infinity && !isNumber ? word : OUTSIDE,
-      kept: place.kept + this.scored(log),
+      behind: this.model.behind(behind, word), word: "",
+      kept: kept + this.scored(log),
     };
   }
 
@@ -164,7 +100,7 @@ export class Language {
     if (!place.word || isFigure(place.word))
       return place.kept;
     return place.kept +
-      this.scored(this.probability(place, place.word, true));
+      this.scored(this.model.likeliest(place.behind, place.word));
   }
 
   // The score of a text that ends here. A number may end with each figure: to
@@ -174,6 +110,6 @@ export class Language {
     if (isFigure(place.word))
       return end.kept;
     return end.kept + this.weight *
-      Math.max(this.probability(end, "</s>", false), this.least);
+      Math.max(this.model.probability(end.behind, this.model.end), this.least);
   }
 }

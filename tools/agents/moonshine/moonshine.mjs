@@ -34,14 +34,15 @@ async function recognising() {
   const recogniser = await load();
   const turns = new Turns(
     (heard, how) => recogniser.recognise(heard, how), say);
-  let model = "";
+  let model = [];
   return {
     // In parts.
     language: ({ more, rejects }, payload) => {
-      model += payload.toString("utf8");
-      if (!more)
-        recogniser.speak(model, rejects);
-      model = more ? model : "";
+      model.push(payload);
+      if (more)
+        return;
+      recogniser.speak(Buffer.concat(model), rejects);
+      model = [];
     },
     words: ({ names }, payload) =>
       recogniser.steer(phrases(payload), names ?? 0),

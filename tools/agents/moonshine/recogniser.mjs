@@ -3,6 +3,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
+import { readModel } from "./domain_model.mjs";
 import { FIGURES, Guidance, Language } from "./language.mjs";
 import { Model, packages } from "./model.mjs";
 import { mostTokens, search } from "./search.mjs";
@@ -47,11 +48,12 @@ export class Recogniser {
     return recogniser;
   }
 
-  // The domain model in the ARPA format, of which turns that are not narrowed
-  // know; `rejects`: what it finds too unlikely is not said to the application.
-  speak(arpa, rejects = false) {
+  // The domain model (README.md), of which turns that are not narrowed know;
+  // `rejects`: what it finds too unlikely is not said to the application.
+  speak(model, rejects = false) {
     this.rejects = rejects;
-    this.language = new Language(arpa, this.tokenizer.vocabById);
+    this.language = new Language(
+      readModel(model), this.tokenizer.vocabById);
     this.guide();
   }
 

@@ -28,7 +28,7 @@ protected:
 
 TEST_F(LanguageStoreTest, has_the_one_that_was_made) {
   const auto first = get();
-  EXPECT_THAT(first->domain_model, HasSubstr("jeffery ho"));
+  EXPECT_THAT(first->arpa(), HasSubstr("jeffery ho"));
   EXPECT_EQ(first, get());
 }
 
@@ -36,7 +36,7 @@ TEST_F(LanguageStoreTest, tells_languages_apart_by_all_that_they_are_made_of) {
   auto before = get();
   const auto is_another = [&](const char* word) {
     const auto made = get();
-    EXPECT_THAT(made->domain_model, HasSubstr(word));
+    EXPECT_THAT(made->arpa(), HasSubstr(word));
     return made != std::exchange(before, made);
   };
   staff_ = std::vector<std::string>{"Zelda Quill"};
@@ -58,14 +58,15 @@ TEST_F(LanguageStoreTest, makes_it_anew_once_a_column_can_be_read) {
   const auto without = get();
   EXPECT_EQ(without, get());
   staff_ = std::vector<std::string>{"Siti"};
-  EXPECT_THAT(get()->domain_model, HasSubstr("siti"));
+  EXPECT_THAT(get()->arpa(), HasSubstr("siti"));
 }
 
 TEST_F(LanguageStoreTest, needs_neither_sentences_nor_a_database) {
-  EXPECT_EQ(store_.get({})->domain_model, "");
+  EXPECT_EQ(store_.get({})->arpa(), "");
+  EXPECT_EQ(store_.get({})->packed_model(), "");
   sources_.columns = nullptr;
   sources_.model.grammars[0].text = "public <tea> = some tea please;";
-  EXPECT_THAT(get()->domain_model, HasSubstr("some tea please"));
+  EXPECT_THAT(get()->arpa(), HasSubstr("some tea please"));
 }
 
 } // namespace

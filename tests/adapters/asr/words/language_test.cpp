@@ -75,7 +75,7 @@ TEST_F(LanguageTest, KnowsWordingsOnlyInItsDomainModel) {
                       {"Order", {}, "it is for [Zelda](Guest)"},
                       {"Elsewhere", {}, "forget it"}};
   const Language language(sources);
-  const auto arpa = language.arpa(200);
+  const auto arpa = Trigrams(language.counts(200)).arpa(language.symbols());
   EXPECT_THAT(arpa, HasSubstr(" fetch us"));
   EXPECT_THAT(arpa, testing::AnyOf(HasSubstr(" us tea pronto"),
                                    HasSubstr(" lemon tea pronto")));
@@ -120,7 +120,7 @@ TEST_F(LanguageTest, IsWrittenForTheRecogniser) {
   const auto fsg = language.fsg(language.sentences()).text;
   EXPECT_THAT(fsg, HasSubstr("FSG_BEGIN"));
   EXPECT_THAT(fsg, HasSubstr(" lemon\n"));
-  const auto arpa = language.arpa(200);
+  const auto arpa = Trigrams(language.counts(200)).arpa(language.symbols());
   EXPECT_THAT(arpa, HasSubstr(" ya kun"));
   EXPECT_THAT(arpa, HasSubstr(" two teas"));
   EXPECT_THAT(arpa, Not(HasSubstr("nobody")));

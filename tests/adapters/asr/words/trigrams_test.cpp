@@ -11,19 +11,19 @@ using testing::Not;
 
 class TrigramsTest : public testing::Test {
 protected:
-  Trigrams counted() const {
+  TrigramCounts counted() const {
     TrigramCounts counts;
     counts.add({tea, please});
     counts.add({coffee, please}, 2);
     counts.add({tea});
-    return Trigrams(counts);
+    return counts;
   }
 
   Symbols symbols;
   const Symbol tea = symbols.word("tea");
   const Symbol coffee = symbols.word("coffee");
   const Symbol please = symbols.word("please");
-  const Trigrams trigrams = counted();
+  const Trigrams trigrams{counted()};
 };
 
 TEST_F(TrigramsTest, ProbabilitiesSumToOne) {
@@ -46,10 +46,35 @@ TEST_F(TrigramsTest, WhatWasSaidIsMoreProbable) {
 TEST_F(TrigramsTest, AreWrittenAsArpa) {
   const auto text = trigrams.arpa(symbols);
   EXPECT_THAT(text, HasSubstr("ngram 1=5\nngram 2=6\nngram 3=5\n"));
-  EXPECT_THAT(text, HasSubstr("-99 <s> "));
+  EXPECT_THAT(text, HasSubstr("-99.0000 <s> "));
   EXPECT_THAT(text, HasSubstr(" <s> coffee please\n"));
   EXPECT_THAT(text, HasSubstr("\\end\\\n"));
-  EXPECT_THAT(trigrams.arpa(symbols, 2), Not(HasSubstr("<s> tea please\n")));
+}
+
+TEST_F(TrigramsTest, WhatIsSeldomIsLeftToThePairs) {
+  const Trigrams seldom(counted(), 2);
+  EXPECT_THAT(seldom.arpa(symbols), Not(HasSubstr("<s> tea please\n")));
+  EXPECT_THAT(seldom.arpa(symbols), HasSubstr("<s> coffee please\n"));
+  EXPECT_GT(seldom.probability(sentence_begin, tea, please), 0);
+  EXPECT_LT(seldom.probability(sentence_begin, tea, please),
+            trigrams.probability(sentence_begin, tea, please));
+}
+
+TEST_F(TrigramsTest, WordsOfOneNameAreCountedTogether) {
+  const auto one = counted().renamed(
+      [&](Symbol symbol) { return symbol == coffee ? tea : symbol; });
+  EXPECT_EQ(one.triples().size(), 4u);
+  EXPECT_EQ(Trigrams(one).words().rows.front().times, 4);
+}
+
+TEST_F(TrigramsTest, EachTripleIsThereOnce) {
+  auto counts = counted();
+  counts.add({tea});
+  const auto before = counts.triples();
+  counts.unite();
+  EXPECT_EQ(counts.triples().size(), before.size());
+  EXPECT_EQ(before.size(), 7u);
+  EXPECT_TRUE(TrigramCounts().triples().empty());
 }
 
 } // namespace

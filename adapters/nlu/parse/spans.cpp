@@ -325,6 +325,15 @@ void Spans::open_words(EntityId entity, std::size_t position,
   }
 }
 
+std::uint32_t Spans::with_values(std::uint32_t index,
+                                 std::vector<std::uint32_t> values) {
+  auto span = spans_[index];
+  span.values = std::move(values);
+  span.confidence = std::max(span.confidence, certain_value);
+  spans_.push_back(std::move(span));
+  return static_cast<std::uint32_t>(spans_.size() - 1);
+}
+
 Spans::Indices Spans::rest(std::size_t position) {
   return open(rest_entity, position, most_rest);
 }

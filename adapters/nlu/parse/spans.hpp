@@ -63,6 +63,11 @@ public:
   // time.
   Indices open(EntityId entity, std::size_t position, std::size_t most);
 
+  // The same words, of which only these values are meant. The new span is found
+  // by its index alone.
+  std::uint32_t with_values(std::uint32_t index,
+                            std::vector<std::uint32_t> values);
+
   // The words from `position` on, whatever they mean: up to each word of the
   // clause, but no more than a sentence has.
   Indices rest(std::size_t position);

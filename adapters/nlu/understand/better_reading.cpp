@@ -19,6 +19,8 @@ namespace {
 constexpr double well_understood = 0.9;
 // The same where only small words are left over: "I am in the kitchen now".
 constexpr double understood_but_small_words = 0.8;
+// So much, and it may have been another wish.
+constexpr double hardly_understood = 0.55;
 // What a hypothesis needs in the place of a sentence …
 constexpr double likely = 0.6;
 // … if it takes away what may be a value, means something else of the same
@@ -36,12 +38,16 @@ bool has_all(const BuiltAct& hypothesis, const BuiltAct& act) {
   });
 }
 
-// Whether it gives a slot of which the act says nothing by itself.
-bool says_more(const BuiltAct& hypothesis, const BuiltAct& act) {
+// Whether it gives a slot of which the act says nothing by itself, or something
+// else in the place of all that the act says by itself.
+bool says_other(const BuiltAct& hypothesis, const BuiltAct& act) {
+  const bool has_values = std::ranges::any_of(
+      act.fills, [](const Fill& fill) { return !fill.literal; });
   return std::ranges::any_of(hypothesis.fills, [&](const Fill& fill) {
     return fill.literal &&
            std::ranges::none_of(act.fills, [&](const Fill& other) {
-             return other.slot == fill.slot && other.literal;
+             return other.slot == fill.slot && other.literal &&
+                    (has_values || other.literal == fill.literal);
            });
   });
 }
@@ -87,7 +93,15 @@ bool BetterReading::leaves_question(const BuiltAct& act) const {
 bool BetterReading::leaves_words(const BuiltAct& act) const {
   const auto least =
       leaves_content(act) ? well_understood : understood_but_small_words;
-  return act.score < least || leaves_question(act);
+  return act.score < least || leaves_question(act) || knows_no_value(act);
+}
+
+// "Where do I bring the van in?": the words stand for a value that there is
+// not.
+bool BetterReading::knows_no_value(const BuiltAct& act) const {
+  return std::ranges::any_of(act.fills, [&](const Fill& fill) {
+    return fill.span && spans_[*fill.span].unmatched;
+  });
 }
 
 // Beside its own words.
@@ -163,12 +177,16 @@ BetterReading::needed_instead_of(const BuiltAct& act,
 }
 
 // A question that is answered wrongly costs less than a task that nobody wants,
-// so none is begun instead of an answer.
+// so none is begun instead of an answer, unless of that little was understood.
 bool BetterReading::is_better_sentence(const BuiltAct& act,
                                        const BuiltAct& hypothesis) const {
   if (act.topic == no_topic || hypothesis.topic == no_topic ||
-      !leaves_words(act) || context_.expects(act.topic) ||
-      (!schema_.at(hypothesis.topic).enquiry && schema_.at(act.topic).enquiry))
+      !leaves_words(act) || context_.expects(act.topic))
+    return false;
+  const bool begins_task =
+      !schema_.at(hypothesis.topic).enquiry && schema_.at(act.topic).enquiry;
+  if (begins_task &&
+      (act.score > hardly_understood || hypothesis.score < well_understood))
     return false;
   const auto needed = needed_instead_of(act, hypothesis);
   return needed && hypothesis.score > *needed;
@@ -192,7 +210,7 @@ bool BetterReading::choose(std::vector<BuiltAct>& acts,
   const bool better = opens || is_sentence || is_better(acts[0], hypothesis);
   const bool means_other = opens || acts[0].topic != hypothesis.topic ||
                            (is_sentence && hypothesis.score > very_likely &&
-                            says_more(hypothesis, acts[0]));
+                            says_other(hypothesis, acts[0]));
   if (better && means_other) {
     acts = {hypothesis};
     return true;

@@ -47,6 +47,7 @@ private:
   bool is_doubtful(const Fill& fill) const;
   bool leaves_words(const BuiltAct& act) const;
   bool leaves_content(const BuiltAct& act) const;
+  bool knows_no_value(const BuiltAct& act) const;
   bool leaves_question(const BuiltAct& act) const;
   bool is_clear(const Fill& fill) const;
 

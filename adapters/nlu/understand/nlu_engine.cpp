@@ -14,45 +14,36 @@
 #include "adapters/nlu/acts/choice.hpp"
 #include "adapters/nlu/acts/correction.hpp"
 #include "adapters/nlu/acts/courtesies.hpp"
+#include "adapters/nlu/acts/parts_of_values.hpp"
 #include "adapters/nlu/acts/taken_back.hpp"
 #include "adapters/nlu/grammar/merged_states.hpp"
 #include "adapters/nlu/parse/island_filters.hpp"
+#include "adapters/nlu/parse/mentions.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/parse/preferences.hpp"
 #include "adapters/nlu/parse/unmatched_values.hpp"
 #include "adapters/nlu/text/words.hpp"
+#include "adapters/nlu/understand/alternatives.hpp"
 #include "adapters/nlu/understand/better_reading.hpp"
 #include "adapters/nlu/understand/explanation.hpp"
 #include "adapters/nlu/understand/heard_texts.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
-#include "adapters/nlu/understand/left_sentences.hpp"
 #include "adapters/nlu/understand/likeness.hpp"
 #include "adapters/nlu/understand/rule_sources.hpp"
+#include "adapters/nlu/understand/sentences_apart.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
 
-// How close to the best score an alternative is. It is less than what the
-// context is worth, so that of equals the expected topic wins. Scores are sums
-// of decimals, hence a tolerance.
-constexpr double alternative_range = 0.1;
-constexpr double tolerance = 1e-6;
 // How much lower the score of a chain about another topic may be.
 constexpr double fit_range = 0.35;
 // Of what the rules say, so many sentences are remembered.
 constexpr std::size_t rule_sentences = 8000;
-// What was learnt must reach beside other sentences.
+// What was learnt must reach beside sentences that say nothing about a topic,
+// and beside others.
 constexpr double likely_by_itself = 0.7;
-
-// Acts about other topics that score almost as high as the best one. The engine
-// may ask the user which was meant.
-struct Alternatives {
-  std::vector<BuiltAct> acts;
-  // They say the same of the same slot, so the dialogue engine chooses the
-  // topic.
-  bool same_slots = false;
-};
+constexpr double likely_beside_others = 0.9;
 
 double coverage_of(const Chain& chain, const Utterance& utterance) {
   double covered = 0;
@@ -60,47 +51,6 @@ double coverage_of(const Chain& chain, const Utterance& utterance) {
     covered += link.island->covered;
   const auto all = utterance.weight_of(0, utterance.size());
   return all > 0 ? covered / all : 0;
-}
-
-// The same slots from the same words.
-bool equal_slots(const BuiltAct& left, const BuiltAct& right) {
-  return left.act == right.act && left.fills.size() == right.fills.size() &&
-         std::ranges::equal(left.fills, right.fills, {}, &Fill::slot,
-                            &Fill::slot) &&
-         std::ranges::equal(left.fills, right.fills, {}, &Fill::begin,
-                            &Fill::begin) &&
-         std::ranges::equal(left.fills, right.fills, {}, &Fill::end,
-                            &Fill::end);
-}
-
-// Only a chain of exactly one act is an alternative.
-void add_alternative(Alternatives& alternatives, const BuiltAct& best,
-                     std::vector<BuiltAct> acts) {
-  if (acts.size() != 1 || acts[0].topic == no_topic ||
-      acts[0].topic == best.topic ||
-      acts[0].score < best.score - alternative_range + tolerance)
-    return;
-  alternatives.same_slots =
-      alternatives.same_slots ||
-      (equal_slots(best, acts[0]) && acts[0].score == best.score);
-  alternatives.acts.push_back(std::move(acts[0]));
-}
-
-// Puts the alternatives into the act, or leaves its topic open.
-void add_alternatives(Understanding& made, const Alternatives& alternatives,
-                      const Utterance& utterance, const Spans& spans,
-                      const Schema& schema) {
-  if (made.acts.size() != 1 || alternatives.acts.empty())
-    return;
-  auto first = *made.acts[0].if_map();
-  List others;
-  for (const auto& act : alternatives.acts)
-    others.push_back(act_value(act, utterance, spans, schema));
-  if (alternatives.same_slots)
-    first.set(act_key::topic, Value());
-  else
-    first.set(act_key::alternatives, std::move(others));
-  made.acts[0] = std::move(first);
 }
 
 } // namespace
@@ -156,21 +106,16 @@ struct NluEngine::Implementation {
     made.acts.push_back(act_value(act, utterance, spans, schema));
   }
 
-  // What a sentence means of which rules understood nothing, if many wordings
-  // were learnt, and it is likely. The act's words are those of the sentence.
-  void add_left_sentences(const Utterance& said,
-                          const std::vector<BuiltAct>& acts,
-                          const Context& context, Understanding& made) const {
-    if (!taught->learned.is_well_taught())
-      return;
-    for (const auto sentence : left_sentences(said, acts)) {
-      const auto utterance = make_utterance(sentence, automaton);
-      Spans spans(schema, utterance, entities(context), context.now);
-      const auto found = hypotheses(utterance, spans, context, false);
-      if (!found.empty() && found[0].topic != no_topic &&
-          found[0].score >= likely_by_itself)
-        add(found[0], utterance, spans, made);
-    }
+  // What a sentence means by itself, if what was learnt finds that likely. The
+  // act's words are those of the sentence.
+  void add_left_sentence(std::string_view sentence, double likely,
+                         const Context& context, Understanding& made) const {
+    const auto utterance = make_utterance(sentence, automaton);
+    Spans spans(schema, utterance, entities(context), context.now);
+    const auto found = hypotheses(utterance, spans, context, false);
+    if (!found.empty() && found[0].topic != no_topic &&
+        found[0].score >= likely)
+      add(found[0], utterance, spans, made);
   }
 
   // The chains that end in other topics and score nearly as high.
@@ -287,6 +232,7 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
   leave_out_lookalikes(islands, utterance, spans, context);
   leave_out_unlikely_values(islands, utterance, spans, schema, context);
   leave_out_stories(islands, utterance, spans, context);
+  leave_out_mentions(islands, utterance);
   leave_out_acts_inside(islands, utterance, spans);
   trust_whole_values(islands, utterance, spans);
   leave_out_parts(islands, schema, context);
@@ -305,12 +251,13 @@ bool is_one_far_fetched(const std::vector<BuiltAct>& acts,
 }
 
 void apply_corrections(std::vector<BuiltAct>& acts, const Utterance& utterance,
-                       const Spans& spans, const Schema& schema,
+                       Spans& spans, const Schema& schema,
                        const Context& context) {
   for (auto& act : acts)
     correct_what_was_said(act, spans, context);
   join_corrections(acts, schema);
   leave_out_taken_back(acts, utterance, spans, schema, context);
+  join_parts_of_values(acts, utterance, spans);
 }
 
 } // namespace
@@ -356,6 +303,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
       likeness.leave_out_other_talk(acts, meant, spans, learned, context);
   apply_corrections(acts, utterance, spans, schema, context);
   Understanding made;
+  made.is_learnt = guessed;
   made.work = matcher.work();
   made.coverage = guessed ? 0 : coverage_of(chains[0], utterance);
   if (explain)
@@ -363,7 +311,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
         self.explain(utterance, spans, islands, chains, acts, is_other);
   for (const auto& act : acts)
     self.add(act, utterance, spans, made);
-  self.add_left_sentences(meant, acts, context, made);
+  read_sentences(sentences_apart(meant, acts), acts, context_value, made);
   // Alternatives come from the source that was chosen.
   if (guessed)
     add_alternatives(made, {{hypotheses.begin() + 1, hypotheses.end()}, false},
@@ -373,6 +321,40 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
                      self.other_chains(chains, acts[0], utterance, context),
                      utterance, spans, schema);
   return made;
+}
+
+// Sentences of which rules understood nothing, or what was learnt knows better.
+void NluEngine::read_sentences(const std::vector<SentenceApart>& sentences,
+                               const std::vector<BuiltAct>& acts,
+                               const Value& context_value,
+                               Understanding& made) const {
+  if (made.is_learnt || !implementation_->taught->learned.is_well_taught())
+    return;
+  const bool any_says_what = std::ranges::any_of(
+      acts, [](const BuiltAct& act) { return act.topic != no_topic; });
+  const auto context = read_context(context_value, implementation_->schema);
+  std::vector<List> instead(acts.size());
+  for (const auto& [text, said, is_question] : sentences) {
+    if (said.empty() && !any_says_what)
+      implementation_->add_left_sentence(text, likely_by_itself, context, made);
+    else if (said.empty() && is_question)
+      implementation_->add_left_sentence(text, likely_beside_others, context,
+                                         made);
+    if (said.empty())
+      continue;
+    if (said.size() > 1 || !acts[said[0]].elliptical)
+      continue;
+    auto alone = read(text, context_value, false);
+    if (alone.is_learnt && alone.score >= likely_beside_others)
+      instead[said[0]] = std::move(alone.acts);
+  }
+  List all;
+  for (std::size_t i = 0; i < made.acts.size(); ++i)
+    if (i < instead.size() && !instead[i].empty())
+      all.insert(all.end(), instead[i].begin(), instead[i].end());
+    else
+      all.push_back(std::move(made.acts[i]));
+  made.acts = std::move(all);
 }
 
 } // namespace parlour::adapters::nlu

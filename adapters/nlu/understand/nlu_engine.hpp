@@ -22,6 +22,9 @@
 
 namespace parlour::adapters::nlu {
 
+struct BuiltAct;
+struct SentenceApart;
+
 // Immutable; any number of threads may use it. Copies share what was built.
 class NluEngine {
 public:
@@ -69,6 +72,9 @@ private:
 
   Understanding read(std::string_view text, const Value& context,
                      bool explain) const;
+  void read_sentences(const std::vector<SentenceApart>& sentences,
+                      const std::vector<BuiltAct>& acts,
+                      const Value& context_value, Understanding& made) const;
   explicit NluEngine(std::shared_ptr<const Implementation> implementation);
 
   std::shared_ptr<const Implementation> implementation_;

@@ -15,6 +15,8 @@ struct Understanding {
   // runtime/message/understanding.hpp, a slot has `unmatched` true if its words
   // stand for a value that the set does not have.
   List acts;
+  // Whether what was learnt took the place of what rules found.
+  bool is_learnt = false;
   // Of the best act.
   double score = 0;
   // The share of the words that grammars and values account for, by weight.

@@ -125,8 +125,11 @@ TEST(BetterReading, TakesThePlaceOfADoubtfulSentenceIfItIsWellTaught) {
 
 // Topic 1 is an enquiry.
 TEST(BetterReading, BeginsNoTaskInsteadOfAnAnswer) {
-  std::vector<BuiltAct> acts{act(1, 0.5)};
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), {}, true));
+  std::vector<BuiltAct> acts{act(1, 0.7)};
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.95), {}, true));
+  acts = {act(1, 0.5)};
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.85), {}, true));
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.95), {}, true)); // hardly one
   acts = {act(0, 0.5)};
   EXPECT_TRUE(prefer_better(acts, act(1, 0.9), {}, true));
 }
@@ -174,6 +177,40 @@ TEST(BetterReading, MeansSomethingElseOfTheSameTopic) {
   Context expects;
   expects.current = 1;
   EXPECT_FALSE(takes(0.9, expects));
+}
+
+// "Get me something to drink": what a rule and what examples give the same
+// slot.
+TEST(BetterReading, MeansSomethingElseThanARuleGaveByItself) {
+  const auto takes = [](bool has_value) {
+    std::vector<BuiltAct> acts{act(1, 0.6)};
+    acts[0].fills = {fill("Category", 0, 4)};
+    acts[0].fills[0].literal = Value("toilet");
+    if (has_value)
+      acts[0].fills.push_back(fill("Name", 2, 3));
+    auto hypothesis = act(1, 0.95);
+    hypothesis.fills = {fill("Category", 0, 4)};
+    hypothesis.fills[0].literal = Value("bank");
+    prefer_better(acts, hypothesis, {}, true);
+    return acts[0].fills[0].literal == Value("bank");
+  };
+  EXPECT_TRUE(takes(false));
+  EXPECT_FALSE(takes(true));
+}
+
+TEST(BetterReading, KnowsMoreThanAValueThatThereIsNot) {
+  const Automaton automaton;
+  const auto utterance = make_utterance("to meet the Van", automaton);
+  auto spans = spans_of(utterance);
+  const auto host = schema().at(0).find("Host")->entity;
+  const auto open = spans.open(host, 3, 1);
+  ASSERT_FALSE(open.empty());
+  auto found = act(0, 0.95);
+  found.end = 4;
+  const BetterReading better(schema(), {}, utterance, spans, true);
+  EXPECT_FALSE(better.leaves_open({found}));
+  found.fills = {{"Host", 0, open.front(), {}, 3, 4}};
+  EXPECT_TRUE(better.leaves_open({found}));
 }
 
 TEST(BetterReading, NeedsMoreBesideAQuestionAboutSomethingElse) {

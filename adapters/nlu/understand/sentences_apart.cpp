@@ -1,0 +1,65 @@
+#include "adapters/nlu/understand/sentences_apart.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "adapters/nlu/text/word_set.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+constexpr std::uint32_t least_question = 3; // words
+
+bool begins_question(std::string_view word) {
+  static const WordSet words{
+      "where", "when", "what",  "which", "who",  "whom", "why",    "how",
+      "is",    "are",  "do",    "does",  "did",  "can",  "could",  "may",
+      "might", "will", "would", "shall", "must", "have", "should", "am"};
+  return words.contains(word);
+}
+
+// What is heard has no question mark.
+bool is_question(const Utterance& utterance, TokenRange sentence) {
+  const auto& tokens = utterance.tokens.list;
+  if (sentence.end - sentence.begin < least_question)
+    return false;
+  auto first = sentence.begin;
+  while (first + 1 < sentence.end && utterance.filler[first])
+    ++first;
+  return begins_question(tokens[first].word) ||
+         utterance.text.substr(tokens[sentence.end - 1].end).starts_with('?');
+}
+
+} // namespace
+
+std::vector<SentenceApart> sentences_apart(const Utterance& utterance,
+                                           const std::vector<BuiltAct>& acts) {
+  std::vector<SentenceApart> apart;
+  const auto size = static_cast<std::uint32_t>(utterance.size());
+  for (std::uint32_t begin = 0; begin < size;) {
+    const auto sentence =
+        stretch_of(utterance.tokens, {begin, begin + 1}, Break::sentence);
+    begin = sentence.end;
+    if (sentence.begin == 0 && sentence.end == size)
+      return {};
+    if (!utterance.has_content(sentence.begin, sentence.end))
+      continue;
+    SentenceApart one{words_of(utterance.text, utterance.tokens, sentence.begin,
+                               sentence.end),
+                      {},
+                      is_question(utterance, sentence)};
+    bool is_apart = true;
+    for (std::size_t i = 0; i < acts.size(); ++i)
+      if (acts[i].begin < sentence.end && sentence.begin < acts[i].end) {
+        one.acts.push_back(i);
+        is_apart = is_apart && sentence.begin <= acts[i].begin &&
+                   acts[i].end <= sentence.end;
+      }
+    if (is_apart)
+      apart.push_back(std::move(one));
+  }
+  return apart;
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,64 @@
+#include <gmock/gmock.h>
+
+#include "adapters/nlu/understand/sentences_apart.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// The sentences' texts, each with how many acts it says, and a question mark.
+std::vector<std::string> apart(const char* text,
+                               const std::vector<TokenRange>& understood = {}) {
+  const Automaton automaton;
+  std::vector<BuiltAct> acts;
+  for (const auto range : understood) {
+    acts.emplace_back();
+    acts.back().begin = range.begin;
+    acts.back().end = range.end;
+  }
+  const auto utterance = make_utterance(text, automaton);
+  std::vector<std::string> made;
+  for (const auto& one : sentences_apart(utterance, acts))
+    made.push_back(std::string(one.text) + " " +
+                   std::to_string(one.acts.size()) +
+                   (one.is_question ? "?" : ""));
+  return made;
+}
+
+TEST(SentencesApart, HaveTheirActs) {
+  constexpr auto text = "Zork, please. Where is the bank? My dog waits.";
+  EXPECT_THAT(
+      apart(text, {{0, 1}}),
+      ElementsAre("Zork, please 1", "Where is the bank 0?", "My dog waits 0"));
+  EXPECT_THAT(
+      apart(text, {{0, 1}, {5, 6}, {3, 4}}),
+      ElementsAre("Zork, please 1", "Where is the bank 2?", "My dog waits 0"));
+}
+
+TEST(SentencesApart, ShareNoAct) {
+  constexpr auto text = "Zork, please. Where is the bank? My dog waits.";
+  EXPECT_THAT(apart(text, {{0, 3}}), ElementsAre("My dog waits 0"));
+  EXPECT_THAT(apart(text, {{0, 9}}), IsEmpty());
+}
+
+TEST(SentencesApart, AreNotTheWholeUtterance) {
+  EXPECT_THAT(apart("Where is the bank?"), IsEmpty());
+  EXPECT_THAT(apart("Where is the bank, and my dog"), IsEmpty());
+  EXPECT_THAT(apart(""), IsEmpty());
+}
+
+TEST(SentencesApart, HaveAWordOfTheirOwn) {
+  EXPECT_THAT(apart("Where is the bank? And that is it."),
+              ElementsAre("Where is the bank 0?"));
+}
+
+TEST(SentencesApart, AreQuestionsAlsoWithoutAMark) {
+  EXPECT_THAT(apart("Zork. Could my dog swim. The dog swims? Dog?"),
+              ElementsAre("Zork 0", "Could my dog swim 0?", "The dog swims 0?",
+                          "Dog 0"));
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

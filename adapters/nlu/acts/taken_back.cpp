@@ -29,7 +29,7 @@ bool leads_to_no(std::string_view word) {
 }
 
 // Between a value and the one that takes its place: "no, sorry, I mean".
-bool mends(std::string_view word) {
+bool leads_to_another(std::string_view word) {
   static const WordSet words{"no", "sorry", "actually", "mean", "rather"};
   return words.contains(word);
 }
@@ -143,7 +143,7 @@ private:
     bool is_mended = false;
     for (auto at = value.end; at < next.begin; ++at) {
       const auto word = std::string_view(tokens[at].word);
-      if (mends(word))
+      if (leads_to_another(word))
         is_mended = true;
       else if (!utterance_.filler[at] && !is_determiner(word) && word != "i" &&
                word != "make" && word != "it")

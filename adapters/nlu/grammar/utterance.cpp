@@ -233,7 +233,8 @@ bool is_all_number(const std::vector<Token>& list, std::size_t at) {
          begins_number(list[begin].word);
 }
 
-bool mends(std::string_view word) {
+// "No, wait, make it four"
+bool leads_to_mended(std::string_view word) {
   static constexpr std::array<std::string_view, 10> words{
       "wait", "sorry", "i", "mean", "make", "it", "that", "rather", "at", "a"};
   return has(words, word);
@@ -248,7 +249,8 @@ void join_mended_numbers(std::vector<Token>& list) {
       continue;
     auto next = at + 1;
     while (next + 1 < list.size() && next < at + 4 &&
-           list[next].before != Break::sentence && mends(list[next].word))
+           list[next].before != Break::sentence &&
+           leads_to_mended(list[next].word))
       ++next;
     if (is_all_number(list, next))
       list[at].before = Break::comma;

@@ -23,10 +23,6 @@ bool fits(const Fill& fill, const Spans& spans, Predicate is_such) {
          std::invoke(is_such, spans[*fill.span]);
 }
 
-bool is_certain(const Span& span) {
-  return !span.unmatched && span.confidence >= certain_value;
-}
-
 bool is_guess(const Span& span) {
   return !span.unmatched && span.confidence < guessed_value;
 }
@@ -70,7 +66,7 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
   std::vector<Sure> sure;
   for (const auto& island : islands)
     for (const auto& fill : island.fills)
-      if (fits(fill, spans, is_certain) &&
+      if (fits(fill, spans, &Span::is_certain) &&
           !fits(fill, spans, is_one_of_several))
         sure.push_back({fill.slot, fill.begin});
   // Of several people, a later word says which; in "Kelvin Palmer, no, Tan", it
@@ -100,7 +96,7 @@ void leave_out_strangers(std::vector<Island>& islands,
                          const Utterance& utterance, const Spans& spans,
                          const Context& context) {
   const auto is_known = [&](const Fill& fill) {
-    return fill.literal || fits(fill, spans, is_certain);
+    return fill.literal || fits(fill, spans, &Span::is_certain);
   };
   const auto is_stranger = [&](const Fill& fill) {
     return fits(fill, spans, &Span::unmatched);

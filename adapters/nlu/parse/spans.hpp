@@ -36,6 +36,11 @@ struct Span {
   float gain = 0;
   // Added to the share of the utterance that is understood.
   float covered = 0;
+
+  // Whether the words are those of a known value.
+  bool is_certain() const {
+    return !unmatched && confidence >= certain_value;
+  }
 };
 
 // Built for one utterance. Refers to schema and utterance, which must outlive

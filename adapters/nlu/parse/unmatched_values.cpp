@@ -38,8 +38,9 @@ constexpr std::string_view joining_words[] = {
     "about", "as", "at", "but",  "by",   "for", "from", "in",
     "on",    "or", "so", "than", "that", "to",  "when", "with"};
 
-bool is_certain(const Span& span) {
-  return !span.unmatched && !span.weak && span.confidence >= certain_value;
+// Also where nothing of its kind is expected.
+bool is_certain_anywhere(const Span& span) {
+  return span.is_certain() && !span.weak;
 }
 
 // What is said around an island.
@@ -140,7 +141,7 @@ private:
   // "accessible toilet": there are toilets.
   bool ends_in_known(const Fill& fill) const {
     return std::ranges::any_of(spans_.all(), [&](const Span& span) {
-      return is_set(span.entity) && is_certain(span) &&
+      return is_set(span.entity) && is_certain_anywhere(span) &&
              span.core > fill.begin && span.end == fill.end;
     });
   }
@@ -226,10 +227,10 @@ void leave_out_pieces_of_values(std::vector<Island>& islands,
     if (!fill.span)
       return false;
     const auto& piece = spans[*fill.span];
-    if (!is_set(piece.entity) || piece.unmatched || is_certain(piece))
+    if (!is_set(piece.entity) || piece.unmatched || is_certain_anywhere(piece))
       return false;
     return std::ranges::any_of(spans.all(), [&](const Span& whole) {
-      return is_set(whole.entity) && is_certain(whole) &&
+      return is_set(whole.entity) && is_certain_anywhere(whole) &&
              whole.core <= piece.core && piece.end <= whole.end &&
              whole.end - whole.core > piece.end - piece.core;
     });

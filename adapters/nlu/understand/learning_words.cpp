@@ -10,7 +10,7 @@ namespace {
 // Whether the span is a known value, without titles and determiners before it.
 // Words that only sound or look like one are no evidence: in "how can I root a
 // phone", nobody is called Ruth.
-bool is_certain(const Span& span) {
+bool is_evidence(const Span& span) {
   return has_known_values(span.entity) && !span.weak && !span.unmatched &&
          span.confidence >= guessed_value && span.begin == span.core;
 }
@@ -28,7 +28,7 @@ std::vector<LearningWord> learning_words(const Utterance& utterance,
   }
   std::vector<const Span*> known;
   for (const auto& span : spans.all())
-    if (is_certain(span))
+    if (is_evidence(span))
       known.push_back(&span);
   // Longer values first, so that a value within a longer one does not count.
   std::ranges::stable_sort(known, [](const Span* left, const Span* right) {

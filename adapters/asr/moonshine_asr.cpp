@@ -58,14 +58,6 @@ std::vector<OptionDescription> option_descriptions() {
 
 const auto options = option_descriptions();
 
-// The texts of alternatives or of words as people type them.
-List typed(List entries) {
-  for (auto& entry : entries)
-    entry = Map{{"text", typed_text(entry["text"].text())},
-                {"confidence", entry["confidence"]}};
-  return entries;
-}
-
 // Threads: commands come on the plug-in's own thread; answers of the program
 // come on its loop's thread; grammars are prepared on a thread of their own.
 //
@@ -93,6 +85,8 @@ private:
   const std::vector<std::string>& wanted_in(const SessionId& session) const;
   void narrow(TurnNumber turn, const SessionId& session);
   void take(const Answer& answer);
+  std::string typed(std::string_view text);
+  List typed(List entries);
   void tell_partial(const Answer& answer);
   void tell_result(const Message& order, const Answer& answer);
   void reject(const Message& order, const std::string& reason);
@@ -323,6 +317,20 @@ void MoonshineASR::take(const Answer& answer) {
   tell_result(*order, answer);
 }
 
+// As people type it, and the application writes names.
+std::string MoonshineASR::typed(std::string_view text) {
+  const std::lock_guard lock(mutex_);
+  return grammars_ ? grammars_->typed(text) : typed_text(text);
+}
+
+// The texts of alternatives or of words.
+List MoonshineASR::typed(List entries) {
+  for (auto& entry : entries)
+    entry = Map{{"text", typed(entry["text"].text())},
+                {"confidence", entry["confidence"]}};
+  return entries;
+}
+
 // Whether a sentence may end here is said only once the grammars are prepared.
 void MoonshineASR::tell_partial(const Answer& one) {
   std::optional<MoonshineTurns::Partial> partial;
@@ -335,7 +343,7 @@ void MoonshineASR::tell_partial(const Answer& one) {
   }
   if (!partial)
     return;
-  std::vector<Value> params{typed_text(one.text), partial->revision};
+  std::vector<Value> params{typed(one.text), partial->revision};
   if (ends)
     params.emplace_back(*ends);
   answer(partial->order, "Partial", std::move(params));
@@ -344,7 +352,7 @@ void MoonshineASR::tell_partial(const Answer& one) {
 void MoonshineASR::tell_result(const Message& order, const Answer& one) {
   const OpenMessages::Closing closing(open_);
   answer(order, "RecognitionResult",
-         {typed_text(one.text), one.confidence, typed(one.alternatives),
+         {typed(one.text), one.confidence, typed(one.alternatives),
           typed(one.words)});
 }
 

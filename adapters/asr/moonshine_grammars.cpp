@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "adapters/asr/moonshine_text.hpp"
 #include "adapters/asr/words/spoken_words.hpp"
 
 namespace parlour::adapters::moonshine {
@@ -70,6 +71,12 @@ MoonshineGrammars::ends(const std::vector<std::string>& names,
   const auto& known = narrow(names);
   return language().ends(known.graph ? *known.graph : language().sentences(),
                          asr::spoken_words(text));
+}
+
+std::string MoonshineGrammars::typed(std::string_view text) const {
+  return with_capitals(typed_text(text), [this](const std::string& word) {
+    return language().written(word);
+  });
 }
 
 } // namespace parlour::adapters::moonshine

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,10 @@ public:
   // begins so.
   std::optional<bool> ends(const std::vector<std::string>& names,
                            const std::string& text);
+
+  // What the recogniser writes as people type it, with names as the application
+  // has them.
+  std::string typed(std::string_view text) const;
 
   // Which words follow each other in all of them, as the program reads it;
   // empty if there are none. Takes some tenths of a second.

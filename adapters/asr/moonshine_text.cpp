@@ -66,8 +66,8 @@ std::string digits_of_parts(std::string_view body) {
   return digits;
 }
 
-// "a.m" (its last point is punctuation) as "am"; "10.30" as "10:30"; "to-day",
-// as it was once written, as "today".
+// "good-by" as "goodbye", "a.m" (its last point is punctuation) as "am";
+// "10.30" as "10:30"; "to-day", as it was once written, as "today".
 std::string typed_word(const Word& word) {
   std::string body(word.body);
   if (same(body, "a.m") || same(body, "p.m"))
@@ -75,6 +75,8 @@ std::string typed_word(const Word& word) {
   for (const std::string_view day : {"to-day", "to-night", "to-morrow"})
     if (same(body, day))
       return body.erase(2, 1);
+  if (same(body, "good-by") || same(body, "good-bye"))
+    return body.replace(4, body.npos, "bye");
   const auto point = body.find('.');
   const bool is_time = (point == 1 || point == 2) && body.size() == point + 3 &&
                        body[point + 1] < '6';
@@ -162,6 +164,22 @@ std::string typed_text(std::string_view spoken) {
         is_within && word.end.starts_with('.') ? word.end.substr(1) : word.end;
   }
   return text;
+}
+
+std::string
+with_capitals(std::string_view text,
+              const std::function<std::string(const std::string&)>& written) {
+  std::string made;
+  for (const auto& word : split_words(text)) {
+    const auto [body, end] = divided(word);
+    const auto spelt = written(std::string(body));
+    if (!made.empty())
+      made += ' ';
+    // A word with capitals is not the same().
+    made += same(spelt, body) ? std::string_view(spelt) : body;
+    made += end;
+  }
+  return made;
 }
 
 } // namespace parlour::adapters::moonshine

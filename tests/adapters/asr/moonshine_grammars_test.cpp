@@ -54,6 +54,10 @@ TEST_F(MoonshineGrammarsTest, KnowWhereASentenceMayEnd) {
   EXPECT_EQ(grammars.ends({"size"}, "I want to"), std::nullopt);
 }
 
+TEST_F(MoonshineGrammarsTest, WriteNames) {
+  EXPECT_EQ(grammars.typed("jeffery, at 10.30."), "Jeffery, at 10:30.");
+}
+
 TEST_F(MoonshineGrammarsTest, HaveADomainModel) {
   const auto model = grammars.domain_model();
   for (const auto* const word : {"\nwant\n", "\njeffery\n", "\n<s>\n"})

@@ -37,6 +37,17 @@ TEST(MoonshineText, WritesTimesAsTyped) {
 TEST(MoonshineText, WritesDaysAsTyped) {
   EXPECT_EQ(typed_text("Is it open to-day, to-night? To-morrow."),
             "Is it open today, tonight? Tomorrow.");
+  EXPECT_EQ(typed_text("Good-by, "), "Goodbye,");
+}
+
+TEST(MoonshineText, WritesNamesAsTheApplicationDoes) {
+  const auto written = [](const std::string& word) -> std::string {
+    return word == "sentosa" ? "Sentosa" : word == "am" ? "a.m." : word;
+  };
+  EXPECT_EQ(with_capitals("a taxi to sentosa, at 5 am.", written),
+            "a taxi to Sentosa, at 5 am.");
+  EXPECT_EQ(with_capitals("SENTOSA", written), "SENTOSA");
+  EXPECT_EQ(with_capitals("", written), "");
 }
 
 TEST(MoonshineText, JoinsInitials) {

@@ -369,6 +369,37 @@ test("what is said after a pause is not forgotten", async () => {
   assert.equal(said.at(-1).text, "hello again");
 });
 
+test("a pause after more speech is worth another result", async () => {
+  const { turns, waiting, next } = desk();
+  const speaks = async (seconds) => {
+    turns.audio({ turn: 1 }, tone(seconds, 0.5));
+    while (waiting.length)
+      await next();
+  };
+  const isComputedAfterPause = () => {
+    turns.audio({ turn: 1 }, tone(0.15, 0.001));
+    return waiting.length === 1 && waiting[0].how.careful;
+  };
+  await speaks(1);
+  assert.ok(isComputedAfterPause());
+  await next();
+  await speaks(0.1);
+  assert.ok(!isComputedAfterPause());
+  await speaks(0.35);
+  assert.ok(isComputedAfterPause());
+});
+
+test("a pause breaks off a partial result", async () => {
+  const { turns, waiting, next } = desk();
+  turns.audio({ turn: 1 }, second);
+  const { how } = waiting[0];
+  assert.ok(!how.isOver());
+  turns.audio({ turn: 1 }, tone(0.15, 0.001));
+  assert.ok(how.isOver());
+  await next(null);
+  assert.ok(!waiting[0].how.isOver());
+});
+
 test("nothing said is rejected", async () => {
   const { turns, said, next } = desk();
   turns.finish({ turn: 1 });

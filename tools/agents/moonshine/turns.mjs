@@ -15,7 +15,9 @@ const PARTIAL_EVERY = 0.4;
 const PARTIAL_SHARE = 0.3;
 // After a pause of so many seconds the turn may be over: its result is computed
 // in advance.
-const PAUSE = 0.16;
+const PAUSE = 0.1;
+// So much more speech, in seconds, is worth another try.
+const MORE = 0.3;
 // The same part was spoken if its borders moved by less, in samples.
 const SAME = 1600;
 
@@ -94,8 +96,9 @@ export class Turns {
   wantsPartial(one) {
     if (mayBeOver(one) && isPrepared(one))
       return false;
-    // In noise pauses come and go: only the first is waited for so eagerly.
-    if (mayBeOver(one) && !one.wasCareful)
+    // In noise pauses come and go: only the first is waited for so eagerly, and
+    // those after more speech.
+    if (mayBeOver(one) && (!one.wasCareful || saidMore(one)))
       return true;
     return one.length - one.shown >= PARTIAL_EVERY * RATE &&
       performance.now() >= one.free;
@@ -119,9 +122,10 @@ export class Turns {
     one.wasCareful = careful;
     const spoken = one.levels.spoken();
     const began = performance.now();
-    // A partial result is given up for a turn that is finished meanwhile.
-    const isOver = () => one.isOver || !final &&
-      [...this.turns.values()].some(
+    // A partial result is given up for a turn that is finished meanwhile, and for
+    // the careful one that is due after a pause.
+    const isOver = () => one.isOver || !careful && mayBeOver(one) ||
+      !final && [...this.turns.values()].some(
         (other) => other.isFinished && !(careful && other === one));
     const result = await this.recognise(
       joined(one).subarray(spoken.from, spoken.to),
@@ -145,6 +149,9 @@ export class Turns {
 
 const mayBeOver = (one) =>
   one.length - one.levels.spoken().end >= PAUSE * RATE;
+
+const saidMore = ({ levels, prepared }) => prepared !== null &&
+  levels.spoken().end - prepared.spoken.end >= MORE * RATE;
 
 function isPrepared({ levels, prepared }) {
   const { from, end } = levels.spoken();

@@ -37,8 +37,9 @@ public:
   std::string typed(std::string_view text) const;
 
   // Which words follow each other in all of them, as the program reads it;
-  // empty if there are none. Takes some tenths of a second.
-  std::string domain_model() const {
+  // empty if there are none. Takes some tenths of a second the first
+  // time.
+  const std::string& domain_model() const {
     return made_->packed_model();
   }
 

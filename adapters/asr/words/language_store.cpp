@@ -28,10 +28,12 @@ std::string MadeLanguage::arpa() const {
   return Trigrams(counts, least_drawn).arpa(language.symbols());
 }
 
-std::string MadeLanguage::packed_model() const {
-  if (counts.empty())
-    return "";
-  return packed(counts, language.symbols(), least_drawn);
+const std::string& MadeLanguage::packed_model() const {
+  std::call_once(once_, [this] {
+    if (!counts.empty())
+      packed_ = packed(counts, language.symbols(), least_drawn);
+  });
+  return packed_;
 }
 
 bool LanguageStore::Kept::is_of(const LanguageSources& wanted) const {

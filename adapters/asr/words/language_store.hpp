@@ -15,17 +15,21 @@
 
 namespace parlour::adapters::asr {
 
-// Immutable.
+// Immutable, for any number of threads.
 struct MadeLanguage {
   explicit MadeLanguage(const LanguageSources& sources);
 
   // The domain model in the ARPA format, and as packed() writes it; empty if
-  // nothing is said. Takes half a second.
+  // nothing is said. Takes some tenths of a second, the packed one only once.
   std::string arpa() const;
-  std::string packed_model() const;
+  const std::string& packed_model() const;
 
   Language language;
   TrigramCounts counts;
+
+private:
+  mutable std::once_flag once_;
+  mutable std::string packed_;
 };
 
 // Thread-safe. Where several threads want the same language that is not there

@@ -1,7 +1,6 @@
 #include "adapters/asr/words/packed_trigrams.hpp"
 
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -9,17 +8,20 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "adapters/nlu/text/characters.hpp"
+
 namespace parlour::adapters::asr {
 
 namespace {
 
-// Letters of other alphabets than ours stay as they are.
+// As the program compares words: without accents, too.
 std::string plain(std::string_view text) {
   std::string made;
-  for (const char letter : text) {
-    const auto byte = static_cast<unsigned char>(letter);
-    if (byte >= 0x80 || std::isalnum(byte))
-      made.push_back(static_cast<char>(std::tolower(byte)));
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [code, length] = nlu::character_at(text, at);
+    if (nlu::is_word_character(code))
+      nlu::append_folded(made, code);
+    at += length;
   }
   return made;
 }

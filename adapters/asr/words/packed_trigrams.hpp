@@ -21,7 +21,8 @@ namespace parlour::adapters::asr {
 //   2   of each triple: the index of its last word; probability
 //
 // Of probabilities and what is left there are natural logarithms. Words are
-// without capitals and punctuation: those that become the same are one.
+// without capitals, accents and punctuation: those that become the same are
+// one.
 std::string packed(const TrigramCounts& counts, const Symbols& symbols,
                    double least);
 

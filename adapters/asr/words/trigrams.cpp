@@ -41,6 +41,8 @@ Order order_of(const std::vector<Counted>& counted,
   auto one = counted.begin();
   for (const auto& context : above) {
     made.begins.push_back(static_cast<std::uint32_t>(made.rows.size()));
+    while (one != counted.end() && one->key >> bits < context.key)
+      ++one;
     for (; one != counted.end() && one->key >> bits == context.key; ++one)
       made.rows.push_back({symbol_at(one->key, 0), one->times});
   }

@@ -1,7 +1,8 @@
 // Counts words, pairs and triples in sentences, and writes them as a language
 // model in the ARPA format. Probabilities are interpolated with those of the
 // shorter context (Witten and Bell), and unseen words get those of the shorter
-// context by a back-off weight; they sum to 1 in every context.
+// context by a back-off weight; they sum to 1 in every context of which nothing
+// is left out.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// States are merged by refinement of a partition (Moore), forwards and
-// backwards.
+// States are merged by refinement of a partition, forwards and backwards.
 #include "adapters/asr/words/word_graph.hpp"
 
 #include <algorithm>
@@ -176,8 +175,8 @@ WordGraph without_dead_ends(const WordGraph& graph) {
 
 // Tells states apart by which parts their arcs lead to, until nothing changes.
 // Only parts are looked at from which arcs lead to what has changed, and of a
-// part that falls apart the largest piece keeps its number: so each state is
-// looked at few times.
+// part that falls apart the largest piece keeps its number: in the graphs of
+// grammars, most states are looked at few times.
 class Refinement {
 public:
   Refinement(Parts parts, const std::vector<Arcs>& arcs,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 
 #include "adapters/nlu/text/negation.hpp"
 
@@ -40,6 +39,17 @@ bool is_negated(const Span& span, const Utterance& utterance) {
   return false;
 }
 
+// In the value's own sentence, or all that another one says: "Geetha. Nair."
+bool is_beside(const Span& span, const Fill& fill, const Utterance& utterance) {
+  const auto own =
+      stretch_of(utterance.tokens, {fill.begin, fill.end}, Break::sentence);
+  const auto other =
+      stretch_of(utterance.tokens, {span.begin, span.end}, Break::sentence);
+  return own.begin == other.begin ||
+         (!utterance.has_content(other.begin, span.core) &&
+          !utterance.has_content(span.end, other.end));
+}
+
 } // namespace
 
 void join_parts_of_values(std::vector<BuiltAct>& acts,
@@ -52,7 +62,8 @@ void join_parts_of_values(std::vector<BuiltAct>& acts,
       auto left = spans[*fill.span].values;
       for (const auto& other : spans.all()) {
         if (other.entity != entity || other.unmatched ||
-            is_filled(other, acts) || is_negated(other, utterance))
+            other.confidence < guessed_value || is_filled(other, acts) ||
+            is_negated(other, utterance) || !is_beside(other, fill, utterance))
           continue;
         if (auto both = common(left, other.values); !both.empty())
           left = std::move(both);

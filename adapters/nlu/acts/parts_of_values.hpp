@@ -8,8 +8,9 @@
 
 namespace parlour::adapters::nlu {
 
-// Fills with several candidates keep those that the other parts fit, too, which
-// must be no fill of their own and not be negated. Adds spans.
+// Fills with several candidates keep those that the other parts fit, too. These
+// stand in the same sentence or are all that another one says; they are no fill
+// of their own, nor negated, nor merely alike. Adds spans.
 void join_parts_of_values(std::vector<BuiltAct>& acts,
                           const Utterance& utterance, Spans& spans);
 

@@ -51,8 +51,8 @@ private:
   }
 
   bool is_in_statement(const Island& island) const {
-    auto [begin, end] = sentence_of(island);
-    while (begin < end && utterance_.filler[begin])
+    auto begin = sentence_of(island).begin;
+    while (begin < island.begin && utterance_.filler[begin])
       ++begin;
     if (!nlu::has(subjects, utterance_.tokens.list[begin].word))
       return false;

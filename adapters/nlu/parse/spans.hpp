@@ -68,8 +68,8 @@ public:
   // time.
   Indices open(EntityId entity, std::size_t position, std::size_t most);
 
-  // The same words, of which only these values are meant. The new span is found
-  // by its index alone.
+  // The same words, of which only these values are meant. The new span is in
+  // all(), but at() does not find it.
   std::uint32_t with_values(std::uint32_t index,
                             std::vector<std::uint32_t> values);
 

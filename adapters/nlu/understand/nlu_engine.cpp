@@ -242,6 +242,10 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
   drop_implausible(islands, utterance, spans);
 }
 
+bool is_about_one(const std::vector<BuiltAct>& acts) {
+  return acts.size() == 1 && acts[0].topic != no_topic;
+}
+
 bool is_one_far_fetched(const std::vector<BuiltAct>& acts,
                         const Utterance& utterance, const Spans& spans,
                         const Context& context) {
@@ -253,11 +257,11 @@ bool is_one_far_fetched(const std::vector<BuiltAct>& acts,
 void apply_corrections(std::vector<BuiltAct>& acts, const Utterance& utterance,
                        Spans& spans, const Schema& schema,
                        const Context& context) {
+  join_parts_of_values(acts, utterance, spans);
   for (auto& act : acts)
     correct_what_was_said(act, spans, context);
   join_corrections(acts, schema);
   leave_out_taken_back(acts, utterance, spans, schema, context);
-  join_parts_of_values(acts, utterance, spans);
 }
 
 } // namespace
@@ -316,7 +320,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   if (guessed)
     add_alternatives(made, {{hypotheses.begin() + 1, hypotheses.end()}, false},
                      utterance, spans, schema);
-  else if (!choice && acts.size() == 1 && acts[0].topic != no_topic)
+  else if (!made.is_learnt && !choice && is_about_one(acts))
     add_alternatives(made,
                      self.other_chains(chains, acts[0], utterance, context),
                      utterance, spans, schema);
@@ -334,19 +338,18 @@ void NluEngine::read_sentences(const std::vector<SentenceApart>& sentences,
       acts, [](const BuiltAct& act) { return act.topic != no_topic; });
   const auto context = read_context(context_value, implementation_->schema);
   std::vector<List> instead(acts.size());
+  const auto needed = any_says_what ? likely_beside_others : likely_by_itself;
   for (const auto& [text, said, is_question] : sentences) {
-    if (said.empty() && !any_says_what)
-      implementation_->add_left_sentence(text, likely_by_itself, context, made);
-    else if (said.empty() && is_question)
-      implementation_->add_left_sentence(text, likely_beside_others, context,
-                                         made);
-    if (said.empty())
-      continue;
-    if (said.size() > 1 || !acts[said[0]].elliptical)
+    if (said.empty() && (is_question || !any_says_what))
+      implementation_->add_left_sentence(text, needed, context, made);
+    if (said.size() != 1 || !acts[said[0]].elliptical)
       continue;
     auto alone = read(text, context_value, false);
-    if (alone.is_learnt && alone.score >= likely_beside_others)
-      instead[said[0]] = std::move(alone.acts);
+    if (!alone.is_learnt || alone.score < likely_beside_others)
+      continue;
+    instead[said[0]] = std::move(alone.acts);
+    made.is_learnt = true;
+    made.score = std::max(made.score, alone.score);
   }
   List all;
   for (std::size_t i = 0; i < made.acts.size(); ++i)

@@ -11,12 +11,17 @@ namespace {
 
 constexpr std::uint32_t least_question = 3; // words
 
-bool begins_question(std::string_view word) {
-  static const WordSet words{
-      "where", "when", "what",  "which", "who",  "whom", "why",    "how",
-      "is",    "are",  "do",    "does",  "did",  "can",  "could",  "may",
-      "might", "will", "would", "shall", "must", "have", "should", "am"};
-  return words.contains(word);
+// "Do not forget the towels" and "Will Smith is here" are none.
+bool begins_question(std::string_view first, std::string_view second) {
+  static const WordSet words{"where", "when",   "what",  "which", "who",
+                             "whom",  "why",    "how",   "is",    "are",
+                             "does",  "did",    "can",   "could", "may",
+                             "might", "should", "would", "shall", "am"};
+  static const WordSet verbs{"do", "will", "have", "must"};
+  static const WordSet subjects{"i",  "you",   "we", "they", "he",  "she",
+                                "it", "there", "my", "your", "the", "any"};
+  return words.contains(first) ||
+         (verbs.contains(first) && subjects.contains(second));
 }
 
 // What is heard has no question mark.
@@ -25,9 +30,9 @@ bool is_question(const Utterance& utterance, TokenRange sentence) {
   if (sentence.end - sentence.begin < least_question)
     return false;
   auto first = sentence.begin;
-  while (first + 1 < sentence.end && utterance.filler[first])
+  while (first + 2 < sentence.end && utterance.filler[first])
     ++first;
-  return begins_question(tokens[first].word) ||
+  return begins_question(tokens[first].word, tokens[first + 1].word) ||
          utterance.text.substr(tokens[sentence.end - 1].end).starts_with('?');
 }
 

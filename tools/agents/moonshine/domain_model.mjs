@@ -10,7 +10,7 @@ const EMPTY = new Uint32Array(0);
 // Arrays lie one behind the other. Throws if there are fewer bytes than they say.
 export function readModel(bytes) {
   // Numbers must begin at whole ones.
-  const { buffer } = Uint8Array.from(bytes);
+  const { buffer } = new Uint8Array(bytes);
   let at = 0;
   const next = (kind, count) => {
     const array = new kind(buffer, at, count);

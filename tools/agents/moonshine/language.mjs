@@ -15,8 +15,9 @@ const LEAST = -9;
 // For each word, so that texts of few words have no advantage.
 const EACH_WORD = 3;
 
-// As words are compared: "Don't" is "dont".
-const plain = (text) => text.toLowerCase().replace(/[^\p{L}\p{N}]/gu, "");
+// As words are compared: "Don't" is "dont", "É" is "e".
+const plain = (text) => text.normalize("NFD").toLowerCase()
+  .replace(/[^\p{L}\p{N}]/gu, "");
 
 // Numbers may be said wherever they are, in figures or one by one.
 export const FIGURES = new Set(["zero", "oh", "one", "two", "three", "four",

@@ -25,12 +25,14 @@ export class Levels {
   pieces = []; // {level, end}
   length = 0;
   peak = 0;
+  known = null; // what spoken() has returned, until there is more
 
   add(samples) {
     let sum = 0;
     for (const one of samples)
       sum += one * one;
     const level = Math.sqrt(sum / Math.max(1, samples.length));
+    this.known = null;
     this.length += samples.length;
     this.pieces.push({ level, end: this.length });
     this.peak = Math.max(this.peak, level);
@@ -44,6 +46,10 @@ export class Levels {
   // The part that was spoken, as positions of samples, and where the speech
   // itself ends.
   spoken() {
+    return this.known ??= this.find();
+  }
+
+  find() {
     const noise = this.noise();
     const least = Math.max(QUIETEST, Math.min(this.peak * SURELY,
       Math.max(this.peak * PART_OF_PEAK,

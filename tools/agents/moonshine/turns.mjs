@@ -10,7 +10,8 @@ const LONGEST_TURN = 30; // seconds
 const MOST_TURNS = 128;
 const RATE = 16_000;
 // A partial result when so much more was spoken, in seconds, and only if
-// computing it takes no larger part of the time than this.
+// computing it takes no larger part of the time than this; what is computed in
+// advance is not bounded so.
 const PARTIAL_EVERY = 0.4;
 const PARTIAL_SHARE = 0.3;
 // After a pause of so many seconds the turn may be over: its result is computed
@@ -119,7 +120,6 @@ export class Turns {
 
   async compute(one, final) {
     const careful = final || mayBeOver(one);
-    one.wasCareful = careful;
     const spoken = one.levels.spoken();
     const began = performance.now();
     // A partial result is given up for a turn that is finished meanwhile, and for
@@ -132,6 +132,9 @@ export class Turns {
       { careful, isOver, steering: one.steering });
     const took = performance.now() - began;
     one.free = performance.now() + took * (1 / PARTIAL_SHARE - 1);
+    // A careful one that was broken off is tried again.
+    if (!careful || result)
+      one.wasCareful = careful;
     if (careful && result)
       one.prepared = { spoken, result };
     return result;

@@ -40,6 +40,7 @@ TEST(PackedTrigrams, WordsThatBecomeTheSameAreOne) {
   TrigramCounts counts;
   counts.add({symbols.word("a.m.")});
   counts.add({symbols.word("am")});
+  counts.add({symbols.word("\u00c1m\u2019")});
   const auto bytes = packed(counts, symbols, 0);
   EXPECT_EQ(number_at(bytes, 0), 3u);
   EXPECT_THAT(bytes, testing::HasSubstr("am\n</s>\n<s>\n"));

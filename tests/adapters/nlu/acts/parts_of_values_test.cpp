@@ -7,18 +7,18 @@ namespace parlour::adapters::nlu::test {
 namespace {
 
 // The value of the host, or how many it may be.
-std::string host(const char* text) {
+std::string host(const char* text, const char* asked = "") {
   static const auto engine = [] {
     auto model = sample_model();
-    return NluEngine::build(
-        model,
-        [](const std::string&) {
-          return Expected<std::vector<std::string>>(
-              {"Geetha Nair", "Geetha Rao", "Priya Nair", "Priya Kaur"});
-        },
-        {0.4, {generic_grammar()}});
+    return NluEngine::build(model,
+                            [](const std::string&) {
+                              return Expected<std::vector<std::string>>(
+                                  {"Geetha Nair", "Geetha Rao", "Priya Nair",
+                                   "Priya Kaur", "Anna Lim", "Bela Lim"});
+                            },
+                            {0.4, {generic_grammar()}});
   }();
-  const auto made = engine->understand(text);
+  const auto made = engine->understand(text, sample_context(asked));
   if (made.acts.empty())
     return "";
   const auto& said = made.acts[0]["slots"]["Host"];
@@ -29,7 +29,7 @@ std::string host(const char* text) {
 TEST(PartsOfValues, AreOneValueTogether) {
   EXPECT_EQ(host("I want to meet Geetha"), "2");
   EXPECT_EQ(host("I want to meet Geetha, surname Nair"), "Geetha Nair");
-  EXPECT_EQ(host("I want to meet somebody Nair. Priya it was"), "Priya Nair");
+  EXPECT_EQ(host("Nair. It is Priya, please."), "Priya Nair");
 }
 
 TEST(PartsOfValues, AreNotWhatIsNegated) {
@@ -37,7 +37,11 @@ TEST(PartsOfValues, AreNotWhatIsNegated) {
 }
 
 TEST(PartsOfValues, FitEachOther) {
-  EXPECT_EQ(host("I want to meet Geetha, surname Zork"), "2");
+  EXPECT_EQ(host("I want to meet Geetha, surname Lim"), "2");
+}
+
+TEST(PartsOfValues, AreNotWhatAStoryMentions) {
+  EXPECT_EQ(host("Geetha. He zorked Nair yesterday", "Appointment.Host"), "2");
 }
 
 } // namespace

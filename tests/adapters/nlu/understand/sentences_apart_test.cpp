@@ -58,6 +58,9 @@ TEST(SentencesApart, AreQuestionsAlsoWithoutAMark) {
   EXPECT_THAT(apart("Zork. Could my dog swim. The dog swims? Dog?"),
               ElementsAre("Zork 0", "Could my dog swim 0?", "The dog swims 0?",
                           "Dog 0"));
+  EXPECT_THAT(
+      apart("Zork. Do you zork them. Do not zork them."),
+      ElementsAre("Zork 0", "Do you zork them 0?", "Do not zork them 0"));
 }
 
 } // namespace

@@ -100,14 +100,26 @@ class ByLines:
     """The platform's end of one connection after the other."""
 
     def __init__(self):
+        # Keeps the port while nobody listens: else another exchange might get
+        # it, and then this one's agent comes there.
+        self.reserved = self.bound(0)
+        self.port = self.reserved.getsockname()[1]
         self.listen()
         self.connection = None
         self.held = b""
 
-    def listen(self, port=0):
-        self.listener = socket.create_server(("127.0.0.1", port))
+    @staticmethod
+    def bound(port):
+        bound = socket.socket()
+        bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEPORT, 1)
+        bound.bind(("127.0.0.1", port))
+        return bound
+
+    def listen(self):
+        self.listener = self.bound(self.port)
+        self.listener.listen()
         self.listener.settimeout(WAIT)
-        self.port = self.listener.getsockname()[1]
 
     @property
     def address(self):
@@ -169,7 +181,7 @@ class ByLines:
         self.listener.close()
         self.cut()
         time.sleep(seconds)  # it is the real time that the agent measures
-        self.listen(self.port)
+        self.listen()
 
     def hang_up(self):
         if self.connection:
@@ -187,6 +199,7 @@ class ByLines:
     def close(self):
         self.hang_up()
         self.listener.close()
+        self.reserved.close()
 
 
 class ByZeroMQ:

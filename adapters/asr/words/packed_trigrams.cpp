@@ -2,11 +2,11 @@
 
 #include <bit>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "adapters/nlu/text/characters.hpp"
 
@@ -28,10 +28,7 @@ std::string plain(std::string_view text) {
 
 class Writer {
 public:
-  explicit Writer(const Trigrams& model) : model_(model) {
-    for (const auto& row : model.words().rows)
-      numbers_[row.word] = static_cast<std::uint32_t>(numbers_.size());
-  }
+  explicit Writer(const Trigrams& model) : model_(model) {}
 
   std::string write(const Symbols& symbols) {
     const auto texts = texts_of(symbols);
@@ -72,7 +69,7 @@ private:
     for (const auto begin : order.begins)
       add(begin);
     for (const auto& row : order.rows)
-      add(numbers_.at(row.word));
+      add(static_cast<std::uint32_t>(model_.word_at(row.word)));
     add_logarithms(order, &Trigrams::Row::probability);
   }
 
@@ -84,7 +81,6 @@ private:
   }
 
   const Trigrams& model_;
-  std::unordered_map<Symbol, std::uint32_t> numbers_; // of words
   std::string bytes_;
 };
 

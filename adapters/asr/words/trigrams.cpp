@@ -107,7 +107,7 @@ TrigramCounts::renamed(const std::function<Symbol(Symbol)>& name) const {
     return symbol >= sentence_end ? symbol : name(symbol);
   };
   TrigramCounts made;
-  for (const auto& [triple, times] : triples())
+  for (const auto& [triple, times] : said_)
     made.said_.push_back(
         {key(renamed(symbol_at(triple, 2)), renamed(symbol_at(triple, 1)),
              renamed(symbol_at(triple, 0))),
@@ -171,7 +171,6 @@ void Trigrams::leave_out(double least) {
   triples_ = std::move(kept);
 }
 
-// Their number for an unknown one.
 std::size_t Trigrams::word_at(Symbol word) const {
   const auto* const row = find(words_.rows, word);
   return row ? static_cast<std::size_t>(row - words_.rows.data())

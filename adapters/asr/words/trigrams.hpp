@@ -85,6 +85,9 @@ public:
     return triples_;
   }
 
+  // The index of a word's row; the number of rows for an unknown one.
+  std::size_t word_at(Symbol word) const;
+
   // The probability of a word behind two others, of which each may be
   // `sentence_begin`; the end is `sentence_end`.
   double probability(Symbol before, Symbol last, Symbol word) const;
@@ -95,7 +98,6 @@ public:
 private:
   void weigh();
   void leave_out(double least);
-  std::size_t word_at(Symbol word) const;
   double of_word(Symbol word) const;
   double of_pair(Symbol last, Symbol word) const;
 

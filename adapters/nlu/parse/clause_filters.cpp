@@ -28,7 +28,7 @@ public:
     if (first >= island.begin)
       return false;
     if (word(island.begin) == "stop")
-      return asks(word(first));
+      return is_asking_word(word(first));
     if (!is_one_of(word(island.begin), {"leave", "drop"}))
       return false;
     return is_one_of(word(first), {"where", "when", "how"}) ||
@@ -59,7 +59,8 @@ public:
     if (!is_generic(island, "confirm"))
       return false;
     const auto first = first_of_clause(island);
-    return first < island.begin && word(first) != "why" && asks(word(first)) &&
+    return first < island.begin && word(first) != "why" &&
+           is_asking_word(word(first)) &&
            !is_one_of(word(island.begin), {"yes", "yeah", "yep", "sure"});
   }
 
@@ -175,12 +176,6 @@ private:
       return other.is_content() && !other.rule->bare && !other.act.empty() &&
              other.begin >= island.end && is_within(other, token);
     });
-  }
-
-  static bool asks(std::string_view word) {
-    static constexpr std::array<std::string_view, 8> words{
-        "where", "when", "what", "which", "who", "whom", "why", "how"};
-    return has(words, word);
   }
 
   bool is_short_sentence(const Island& island) const {

@@ -226,6 +226,12 @@ std::vector<std::string_view> all_hesitations() {
   return {hesitations().begin(), hesitations().end()};
 }
 
+bool is_asking_word(std::string_view word) {
+  static const WordSet words{"where", "when", "what", "which",
+                             "who",   "whom", "why",  "how"};
+  return words.contains(word);
+}
+
 bool is_function_word(std::string_view word) {
   return function_words().contains(word) || is_determiner(word);
 }

@@ -49,6 +49,9 @@ bool is_function_word(std::string_view word);
 // a place has one of them, and a text that has one may be about something else.
 bool is_sentence_word(std::string_view word);
 
+// "where", "when", "what", "which", "who", "whom", "why", "how".
+bool is_asking_word(std::string_view word);
+
 // All function words, sorted.
 std::vector<std::string_view> all_function_words();
 

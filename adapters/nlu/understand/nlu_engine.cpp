@@ -332,7 +332,8 @@ void NluEngine::read_sentences(const std::vector<SentenceApart>& sentences,
                                const std::vector<BuiltAct>& acts,
                                const Value& context_value,
                                Understanding& made) const {
-  if (made.is_learnt || !implementation_->taught->learned.is_well_taught())
+  if (sentences.empty() || made.is_learnt ||
+      !implementation_->taught->learned.is_well_taught())
     return;
   const bool any_says_what = std::ranges::any_of(
       acts, [](const BuiltAct& act) { return act.topic != no_topic; });

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "adapters/nlu/text/word_set.hpp"
+#include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -13,14 +14,13 @@ constexpr std::uint32_t least_question = 3; // words
 
 // "Do not forget the towels" and "Will Smith is here" are none.
 bool begins_question(std::string_view first, std::string_view second) {
-  static const WordSet words{"where", "when",   "what",  "which", "who",
-                             "whom",  "why",    "how",   "is",    "are",
-                             "does",  "did",    "can",   "could", "may",
-                             "might", "should", "would", "shall", "am"};
+  static const WordSet words{"is",    "are",    "am",    "does",
+                             "did",   "can",    "could", "may",
+                             "might", "should", "would", "shall"};
   static const WordSet verbs{"do", "will", "have", "must"};
   static const WordSet subjects{"i",  "you",   "we", "they", "he",  "she",
                                 "it", "there", "my", "your", "the", "any"};
-  return words.contains(first) ||
+  return is_asking_word(first) || words.contains(first) ||
          (verbs.contains(first) && subjects.contains(second));
 }
 

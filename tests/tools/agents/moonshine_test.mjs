@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { Detector } from "../../../tools/agents/moonshine/detector.mjs";
 import { END } from "../../../tools/agents/moonshine/model.mjs";
 import {
-  DomainModel, OUTSIDE, readModel,
+  OUTSIDE, readModel,
 } from "../../../tools/agents/moonshine/domain_model.mjs";
 import {
   Guidance, Language,
@@ -155,7 +155,7 @@ test("a word that has begun is the likeliest one", () => {
 });
 
 test("what the model has in words may be written otherwise", () => {
-  const outside = new Language(DomainModel.empty(), pieces);
+  const outside = new Language(readModel(sent([], [], [])), pieces);
   assert.ok(model.final(said(5, 6)) >
     outside.final(outside.follow(outside.start, 5)));
   assert.equal(model.hoped(said(7)), 0); // a figure

@@ -5,8 +5,6 @@
 // The number of a word that it lacks.
 export const OUTSIDE = -1;
 
-const EMPTY = new Uint32Array(0);
-
 // Arrays lie one behind the other. Throws if there are fewer bytes than they say.
 export function readModel(bytes) {
   // Numbers must begin at whole ones.
@@ -50,12 +48,6 @@ export class DomainModel {
     this.end = this.number("</s>");
     this.start = { last: this.number("<s>"), pair: OUTSIDE };
     this.anywhere = beginnings(words.texts, words.values);
-  }
-
-  // Knows nothing.
-  static empty() {
-    const none = { begins: EMPTY, words: EMPTY, values: EMPTY, left: EMPTY };
-    return new DomainModel({ ...none, texts: [] }, none, none);
   }
 
   number(word) {

@@ -9,8 +9,7 @@ namespace {
 // The value of the host, or how many it may be.
 std::string host(const char* text, const char* asked = "") {
   static const auto engine = [] {
-    auto model = sample_model();
-    return NluEngine::build(model,
+    return NluEngine::build(sample_model(),
                             [](const std::string&) {
                               return Expected<std::vector<std::string>>(
                                   {"Geetha Nair", "Geetha Rao", "Priya Nair",

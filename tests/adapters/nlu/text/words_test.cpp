@@ -15,6 +15,8 @@ TEST(Words, AreInTheirSets) {
   EXPECT_TRUE(is_function_word("from"));
   EXPECT_TRUE(is_function_word("the"));
   EXPECT_FALSE(is_function_word("comptec"));
+  EXPECT_TRUE(is_asking_word("whom"));
+  EXPECT_FALSE(is_asking_word("that"));
   EXPECT_EQ(contraction("i'm"), "i am");
   EXPECT_EQ(contraction("ho"), "");
   EXPECT_EQ(contraction("you've"), "you have");

@@ -20,6 +20,28 @@ bool is_light_yes(const Utterance& utterance, std::uint32_t begin) {
          utterance.weight_of(sentence.begin, begin) == 0;
 }
 
+// Of fewer words, those that join are a part: "And in the bedroom?"
+constexpr std::size_t least_sentence = 4;
+
+// The first token behind what joins it to those before: "Also my head is
+// splitting".
+std::size_t first_of_sentence(const Utterance& utterance) {
+  const auto joins = [&](std::size_t token) {
+    return utterance.filler[token] ||
+           is_one_of(utterance.tokens.list[token].word,
+                     {"and", "also", "but", "so", "then", "plus"});
+  };
+  std::size_t token = 0;
+  while (token < utterance.size() && joins(token))
+    ++token;
+  return token;
+}
+
+void leave_out(std::size_t token, Utterance& utterance) {
+  utterance.filler[token] = true;
+  utterance.weight[token] = 0;
+}
+
 } // namespace
 
 bool is_courtesy(std::string_view act) {
@@ -55,10 +77,12 @@ Utterance without_courtesies(Utterance utterance, const Chain& chain,
                              const Context& context) {
   const auto polite = courtesy_tokens(chain, utterance, context);
   for (std::size_t token = 0; token < polite.size(); ++token)
-    if (polite[token]) {
-      utterance.filler[token] = true;
-      utterance.weight[token] = 0;
-    }
+    if (polite[token])
+      leave_out(token, utterance);
+  const auto sentence = first_of_sentence(utterance);
+  if (utterance.size() - sentence >= least_sentence)
+    for (std::size_t token = 0; token < sentence; ++token)
+      leave_out(token, utterance);
   return utterance;
 }
 

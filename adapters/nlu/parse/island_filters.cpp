@@ -6,6 +6,8 @@
 #include "adapters/nlu/forms/calendar.hpp"
 #include "adapters/nlu/parse/clause_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
+#include "adapters/nlu/text/has.hpp"
+#include "adapters/nlu/text/word_set.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -21,6 +23,21 @@ template <class Predicate>
 bool fits(const Fill& fill, const Spans& spans, Predicate is_such) {
   return fill.span && !is_form(spans[*fill.span].entity) &&
          std::invoke(is_such, spans[*fill.span]);
+}
+
+// "two hours", "thirty pages"
+bool is_unit(std::string_view word) {
+  static const WordSet units{
+      "second", "seconds", "minute", "minutes", "hour",     "hours", "day",
+      "days",   "night",   "nights", "week",    "weeks",    "month", "months",
+      "year",   "years",   "people", "persons", "children", "kids",  "adults",
+      "guests", "pages",   "times",  "euros",   "dollars",  "cents", "percent"};
+  return units.contains(word);
+}
+
+// "six of us"
+bool is_group(std::string_view word) {
+  return is_one_of(word, {"us", "them", "you"});
 }
 
 bool is_guess(const Span& span) {
@@ -260,6 +277,25 @@ void leave_out_acts_inside(std::vector<Island>& islands,
                     island.score <= more.score;
            });
   });
+}
+
+void leave_out_counts(std::vector<Island>& islands, const Utterance& utterance,
+                      const Spans& spans) {
+  const auto is_counted = [&](const Island& island) {
+    const auto& tokens = utterance.tokens.list;
+    if (island.end >= tokens.size() || island.rule->generic ||
+        island.rule->bare || tokens[island.end].before != Break::none ||
+        std::ranges::none_of(island.fills, [&](const Fill& fill) {
+          return fill.span && fill.end == island.end &&
+                 is_form(spans[*fill.span].entity);
+        }))
+      return false;
+    const bool is_part = tokens[island.end].word == "of" &&
+                         island.end + 1 < tokens.size();
+    return is_unit(tokens[island.end].word) ||
+           (is_part && is_group(tokens[island.end + 1].word));
+  };
+  std::erase_if(islands, is_counted);
 }
 
 void trust_whole_values(std::vector<Island>& islands,

@@ -45,6 +45,12 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
 void leave_out_acts_inside(std::vector<Island>& islands,
                            const Utterance& utterance, const Spans& spans);
 
+// Takes out what ends in a number of which the next word says what it counts:
+// "room for two" in "a conference room for two hours". An answer may be said
+// with its unit.
+void leave_out_counts(std::vector<Island>& islands, const Utterance& utterance,
+                      const Spans& spans);
+
 // A value that is all that was said means something, though its words are plain
 // ones: "Coffee?". Not a number or time: without a question they are anything.
 void trust_whole_values(std::vector<Island>& islands,

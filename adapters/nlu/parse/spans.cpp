@@ -12,6 +12,7 @@
 
 #include "adapters/nlu/forms/first_words.hpp"
 #include "adapters/nlu/forms/number_words.hpp"
+#include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/words.hpp"
 #include "runtime/text/shifted_time.hpp"
 
@@ -44,16 +45,32 @@ bool is_deed(const Tokens& tokens, std::size_t position) {
          std::ranges::find(verbs, tokens.list[position].word) != verbs.end();
 }
 
-// "one of those", "this one", "I've got one": no number.
+// Behind these, "one" is a number: "my room one".
+bool is_numbered(std::string_view word) {
+  static constexpr std::array<std::string_view, 12> words{
+      "room", "number", "level",   "floor", "table", "ward",
+      "gate", "card",   "channel", "line",  "block", "unit"};
+  return has(words, word);
+}
+
+// "one of those", "this one", "I've got one", "the little one": no number.
 bool is_pronoun(const Tokens& tokens, std::size_t position) {
-  static constexpr std::array<std::string_view, 9> before{
-      "this", "that", "which", "another", "other", "got", "buy", "new", "any"};
+  static constexpr std::array<std::string_view, 10> before{
+      "this", "that", "which", "another", "other",
+      "got",  "buy",  "new",   "any",     "the"};
   const auto& list = tokens.list;
   if (list[position].word != "one")
     return false;
-  return (position + 1 < list.size() && list[position + 1].word == "of") ||
-         (position > 0 &&
-          std::ranges::find(before, list[position - 1].word) != before.end());
+  if (position + 1 < list.size() && list[position + 1].word == "of")
+    return true;
+  if (position == 0)
+    return false;
+  const auto& last = list[position - 1].word;
+  return has(before, last) ||
+         (position > 1 && list[position - 1].before == Break::none &&
+          list[position].before == Break::none &&
+          is_determiner(list[position - 2].word) && !is_numbered(last) &&
+          !number_at(tokens, position - 1));
 }
 
 bool is_number_like(const Tokens& tokens, std::size_t position) {

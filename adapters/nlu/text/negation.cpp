@@ -24,12 +24,26 @@ const Words& subjects() {
 }
 
 // "do not" before one of these is no order: "don't forget to …", "I don't
-// mind".
+// mind", "don't spill it".
 const Words& states_of_mind() {
   static const Words words{
-      "know",   "care",     "mind", "forget", "hesitate", "worry", "understand",
-      "matter", "remember", "see",  "hear",   "have",     "get",   "got",
-      "find",   "only",     "sure", "feel",   "work",     "mean",  "believe"};
+      "know",   "care",     "mind",  "forget", "hesitate", "worry", "understand",
+      "matter", "remember", "see",   "hear",   "have",     "get",   "got",
+      "find",   "only",     "sure",  "feel",   "work",     "mean",  "believe",
+      "ask",    "laugh",    "panic", "hurry",  "rush",     "argue", "spill",
+      "shout",  "fuss"};
+  return words;
+}
+
+// Who does not do something, unless it is what somebody wants: "you don't happen
+// to know …", but "I don't want …" and "you don't have to …".
+const Words& persons() {
+  static const Words words{"i", "we", "you", "they", "people", "he", "she", "it"};
+  return words;
+}
+const Words& wishes() {
+  static const Words words{"want", "need",    "like", "wish",
+                           "think", "require", "have"};
   return words;
 }
 
@@ -76,12 +90,19 @@ public:
   // "never". "I never heard back" tells something.
   bool is_order(std::size_t token) const {
     const auto before = word(token - 1);
+    if (before == "do" && persons().contains(word(token - 2)) &&
+        !wishes().contains(word(token + 1)))
+      return false;
     return (word(token) == "never" && !is_past(word(token + 1))) ||
            before == "do" || before == "please" || before == "must" ||
            before == "should";
   }
   bool turns_round(std::size_t token) const {
     const auto what = object(token);
+    // "Don't be late", "don't tell me that …"
+    if (word(token + 1) == "be" ||
+        (word(token + 1) == "tell" && word(token + 2) == "me"))
+      return false;
     return is_order(token) && !what.empty() && !states_of_mind().contains(what);
   }
   // "… No taxi then.": the last sentence, if it is short and says that

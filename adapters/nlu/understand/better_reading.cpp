@@ -121,12 +121,17 @@ bool BetterReading::is_better(const BuiltAct& act,
            !(breaks_off && context_.expects(hypothesis.topic));
   if (well_taught_ && act.topic == context_.asked_topic)
     return false;
+  if (!act.elliptical)
+    return false;
+  // Nor does it correct what nobody asks for: "but the pool's free, isn't it?".
+  if (act.act == "correct")
+    return well_taught_ && context_.asked_topic == no_topic &&
+           knows_no_value(act) && hypothesis.score > likely;
   const bool is_expected = context_.expects(act.topic);
   const auto needed =
       act.score + (well_taught_ && is_expected ? much_better : 0);
-  return act.elliptical && act.act != "correct" &&
-         (needed < hypothesis.score ||
-          (!is_expected && has_all(hypothesis, act)));
+  return needed < hypothesis.score ||
+         (!is_expected && has_all(hypothesis, act));
 }
 
 // Words that may be a value by chance: in "how long may I hang on to a book",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -237,6 +238,27 @@ void leave_out_pieces_of_values(std::vector<Island>& islands,
   };
   std::erase_if(islands, [&](const Island& island) {
     return std::ranges::any_of(island.fills, is_piece);
+  });
+}
+
+void leave_out_rivals_of_answers(std::vector<Island>& islands,
+                                 const Spans& spans, const Context& context) {
+  if (context.asked_topic == no_topic)
+    return;
+  std::vector<TokenRange> answers;
+  for (const auto& island : islands)
+    if (const auto* fill = island.find(context.asked_slot);
+        fill && fill->span && spans[*fill->span].is_certain() &&
+        has(island.topics, context.asked_topic))
+      answers.push_back({fill->begin, fill->end});
+  leave_out(islands, [&](const Island& island) {
+    return island.is_content() && !context.expects_any(island.topics) &&
+           std::ranges::any_of(island.fills, [&](const Fill& fill) {
+             return fill.span && spans[*fill.span].unmatched;
+           }) &&
+           std::ranges::any_of(answers, [&](const TokenRange& answer) {
+             return island.begin < answer.end && answer.begin < island.end;
+           });
   });
 }
 

@@ -30,6 +30,12 @@ void leave_out_lookalikes(std::vector<Island>& islands,
 void leave_out_pieces_of_values(std::vector<Island>& islands,
                                 const Spans& spans);
 
+// Takes out islands with such a value that have the words of a known value of
+// the slot that was asked for, and are about what nobody expects: "305, and
+// anytime soon" is no name of a guest where the room is asked for.
+void leave_out_rivals_of_answers(std::vector<Island>& islands,
+                                 const Spans& spans, const Context& context);
+
 // Whether an act has such a value, which is written like no name, and what is
 // said with it is hardly understood: "if they don't have it, is there a shop
 // that sells them" asks for nothing that is called "sells".

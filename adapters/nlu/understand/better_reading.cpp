@@ -71,8 +71,17 @@ bool BetterReading::are_openings(const std::vector<BuiltAct>& acts) const {
   });
 }
 
+// "I see. I don't think I'll do that. Can my suitcases stay somewhere?"
+bool BetterReading::are_weak_courtesies(
+    const std::vector<BuiltAct>& acts) const {
+  return well_taught_ && std::ranges::all_of(acts, [](const BuiltAct& act) {
+           return act.topic == no_topic && act.score < well_understood &&
+                  is_courtesy(act.act);
+         });
+}
+
 bool BetterReading::leaves_open(const std::vector<BuiltAct>& acts) const {
-  return are_openings(acts) ||
+  return are_openings(acts) || are_weak_courtesies(acts) ||
          (acts.size() == 1 &&
           (acts[0].topic == no_topic
                ? is_replaceable(acts[0])
@@ -209,7 +218,11 @@ bool BetterReading::is_clear(const Fill& fill) const {
 
 bool BetterReading::choose(std::vector<BuiltAct>& acts,
                            const BuiltAct& hypothesis) const {
-  const bool opens = are_openings(acts);
+  const bool opens =
+      are_openings(acts) ||
+      (are_weak_courtesies(acts) && hypothesis.score > very_likely);
+  if (!opens && acts.size() > 1)
+    return false;
   const bool is_sentence = !opens && well_taught_ && acts.size() == 1 &&
                            is_better_sentence(acts[0], hypothesis);
   const bool better = opens || is_sentence || is_better(acts[0], hypothesis);

@@ -66,8 +66,23 @@ bool is_own_word(const std::vector<Token>& list, std::size_t at,
           is_determiner(list[at - 1].word));
 }
 
+// How many words behind "where" are only cross: "where the devil", "what on
+// earth".
+std::size_t cross_words(const std::vector<Token>& list, std::size_t at) {
+  static const std::vector<Phrase> all{
+      {"the", "hell"},    {"the", "heck"}, {"the", "devil"},
+      {"the", "dickens"}, {"on", "earth"}, {"in", "the", "world"}};
+  for (const auto& words : all)
+    if (stands_at(words, list, at))
+      return words.size();
+  return 0;
+}
+
 void mark_fillers(Utterance& utterance) {
   for (std::size_t at = 0; at < utterance.size(); ++at) {
+    if (at > 0 && is_asking_word(utterance.tokens.list[at - 1].word))
+      std::fill_n(utterance.filler.begin() + static_cast<std::ptrdiff_t>(at),
+                  cross_words(utterance.tokens.list, at), true);
     const auto found = phrases().find(utterance.tokens.list[at].word);
     if (found == phrases().end())
       continue;

@@ -72,6 +72,8 @@ public:
   // Whether "not" or "never" at this token negates. "you dare" is an exception:
   // "don't you dare open it" is an order.
   bool at(std::size_t token) const {
+    if (takes_back(token) || takes_back(token + 1))
+      return true;
     if (!is_not(word(token)))
       return false;
     if (no_orders().contains(word(token - 1)) || word(token + 1) == "mind")
@@ -98,6 +100,8 @@ public:
            before == "should";
   }
   bool turns_round(std::size_t token) const {
+    if (takes_back(token))
+      return true;
     const auto what = object(token);
     // "Don't be late", "don't tell me that …"
     if (word(token + 1) == "be" ||
@@ -119,6 +123,19 @@ public:
   }
 
 private:
+  // "I did not ask you to get it", "nobody told you to". "Did I not ask you to
+  // get it?" wants it still.
+  bool takes_back(std::size_t token) const {
+    static const Words words{"ask",  "asked",  "tell",  "told",
+                             "want", "wanted", "order", "ordered"};
+    const auto before = word(token - 1);
+    return words.contains(word(token)) && word(token + 1) == "you" &&
+           word(token + 2) == "to" &&
+           (before == "nobody" ||
+            (is_not(before) && !subjects().contains(word(token - 2))) ||
+            before == "never");
+  }
+
   // Empty before the first token and behind the last one. The index may wrap
   // below 0, which is also behind the last one.
   std::string_view word(std::size_t token) const {

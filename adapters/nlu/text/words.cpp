@@ -67,7 +67,7 @@ const Words& function_words() {
 }
 
 // Longer phrases need not come first: every phrase that matches is marked.
-constexpr std::array<std::string_view, 30> fillers{"on second thoughts",
+constexpr std::array<std::string_view, 34> fillers{"on second thoughts",
                                                    "on second thought",
                                                    "er",
                                                    "erm",
@@ -96,7 +96,11 @@ constexpr std::array<std::string_view, 30> fillers{"on second thoughts",
                                                    "maybe",
                                                    "perhaps",
                                                    "just",
-                                                   "basically"};
+                                                   "basically",
+                                                   "damn",
+                                                   "damned",
+                                                   "goddamn",
+                                                   "flipping"};
 
 struct Contraction {
   std::string_view word;

@@ -166,11 +166,21 @@ bool BetterReading::is_same_value(const Fill& one, const Fill& other) const {
          left.end == right.end;
 }
 
+// "My glasses", where all that is like it is said of the reading glasses.
+bool BetterReading::is_meant_by(const Fill& literal, const Fill& said) const {
+  if (!literal.literal || !said.span || literal.slot != said.slot)
+    return false;
+  const auto& span = spans_[*said.span];
+  return is_set(span.entity) && span.values.size() == 1 &&
+         schema_.values().value(span.entity - first_set_entity,
+                                span.values[0]) == *literal.literal;
+}
+
 // Whether the hypothesis has the value, too, or only a rule gives it.
 bool BetterReading::keeps(const BuiltAct& hypothesis, const Fill& fill) const {
   return fill.literal ||
          std::ranges::any_of(hypothesis.fills, [&](const Fill& other) {
-           return is_same_value(fill, other);
+           return is_same_value(fill, other) || is_meant_by(other, fill);
          });
 }
 

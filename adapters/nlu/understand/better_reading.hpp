@@ -45,6 +45,7 @@ private:
                                           const BuiltAct& hypothesis) const;
   bool keeps(const BuiltAct& hypothesis, const Fill& fill) const;
   bool is_same_value(const Fill& one, const Fill& other) const;
+  bool is_meant_by(const Fill& literal, const Fill& said) const;
   bool is_doubtful(const Fill& fill) const;
   bool leaves_words(const BuiltAct& act) const;
   bool leaves_content(const BuiltAct& act) const;

@@ -21,7 +21,7 @@ namespace parlour::adapters {
 
 // The version of the protocol, which `hello` tells. Both sides must have the
 // same.
-inline constexpr std::int64_t ipc_protocol = 3;
+inline constexpr std::int64_t ipc_protocol = 4;
 
 // The kinds: name, fields, a sentence. A field with `?` may be unknown.
 // clang-format off

@@ -4,6 +4,7 @@
 // immutable and shared by all readers.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -24,6 +25,9 @@ struct SlotModel {
   bool functional = false;
   bool relevant_to_query = false; // used by a <by> of the topic's query
   bool many = false;              // several values of it are said in one act
+  // The bounds of a range that are written as whole numbers, else 0 and 0.
+  std::int64_t least = 0;
+  std::int64_t most = 0;
 
   bool operator==(const SlotModel&) const = default;
 };

@@ -58,6 +58,11 @@ const Element* slot_element(const Element& topic, const std::string& name) {
   return nullptr;
 }
 
+// What is computed is not known yet.
+std::int64_t whole_number(const Element& element, const char* attribute) {
+  return parse_number(element.value(attribute)).integer_or(0);
+}
+
 // Whether a <by> of the topic uses the slot.
 bool narrows_query(const Topic& topic, std::size_t slot) {
   for (const auto& query : topic.queries)
@@ -78,8 +83,12 @@ SlotModel UnderstandingBuilder::slot_model(const Slot& slot,
   model.many = slot.many;
   if (slot.part != no_id)
     model.type = "part";
-  if (element)
-    model.values = literal_values(element->child("cardinality"));
+  const auto* cardinality = element ? element->child("cardinality") : nullptr;
+  model.values = literal_values(cardinality);
+  if (cardinality && model.type == "range") {
+    model.least = whole_number(*cardinality, "from");
+    model.most = whole_number(*cardinality, "to");
+  }
   return model;
 }
 

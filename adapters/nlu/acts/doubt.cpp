@@ -218,8 +218,19 @@ private:
              is_turned_round(act) || is_before_tag(act);
     if (is_plain(act, "cancel") || is_plain(act, "abandon"))
       return word(act.begin) != "stop" && leaves_known_words(act);
-    return is_plain(act, "deny") && !act.negated && has(denials_, act.begin) &&
-           leaves_words(utterance_.size());
+    return is_plain(act, "deny") && !act.negated &&
+           (refuses_another(act) || (has(denials_, act.begin) &&
+                                     leaves_words(utterance_.size())));
+  }
+
+  // "Heat the hall, and don't you dare open the door": refused is what nobody
+  // offers, not what is wanted.
+  bool refuses_another(const BuiltAct& act) const {
+    return context_.confirms.empty() && context_.asked_topic == no_topic &&
+           utterance_.has_content(act.begin, act.end) &&
+           std::ranges::any_of(acts_, [&](const BuiltAct& other) {
+             return other.topic != no_topic && other.end <= act.begin;
+           });
   }
 
   // "I don't know him" asks for no help.

@@ -245,4 +245,29 @@ void leave_out_half_clauses(std::vector<Island>& islands,
   });
 }
 
+void leave_out_past_orders(std::vector<Island>& islands,
+                           const Utterance& utterance, const Schema& schema) {
+  const auto& tokens = utterance.tokens.list;
+  // "Why did …", "did …", but not "I did …".
+  const auto asks = [&](std::uint32_t did, std::uint32_t begin) {
+    return tokens[did].word == "did" &&
+           (did == begin || utterance.filler[did - 1] ||
+            is_asking_word(tokens[did - 1].word));
+  };
+  leave_out(islands, [&](const Island& island) {
+    if (!island.is_content() || island.rule->bare || island.act.empty() ||
+        std::ranges::any_of(island.topics, [&](TopicNumber topic) {
+          return schema.at(topic).enquiry;
+        }))
+      return false;
+    const auto clause =
+        stretch_of(utterance.tokens, {island.begin, island.begin + 1},
+                   Break::comma);
+    for (auto did = clause.begin; did < island.begin; ++did)
+      if (asks(did, clause.begin))
+        return true;
+    return false;
+  });
+}
+
 } // namespace parlour::adapters::nlu

@@ -1,4 +1,4 @@
-// Filters that look at the clause in which a generic act stands.
+// Filters that look at the clause in which an act stands.
 #pragma once
 
 #include <vector>
@@ -13,5 +13,10 @@ namespace parlour::adapters::nlu {
 // a yes may follow: "it is the blue one".
 void leave_out_half_clauses(std::vector<Island>& islands,
                             const Utterance& utterance, const Context& context);
+
+// Takes out orders in questions about what has happened: in "did I leave my
+// laptop in the hall?" nothing is to be left there.
+void leave_out_past_orders(std::vector<Island>& islands,
+                           const Utterance& utterance, const Schema& schema);
 
 } // namespace parlour::adapters::nlu

@@ -298,6 +298,27 @@ void leave_out_counts(std::vector<Island>& islands, const Utterance& utterance,
   std::erase_if(islands, is_counted);
 }
 
+void leave_out_small_numbers(std::vector<Island>& islands, const Spans& spans,
+                             const Schema& schema, const Context& context) {
+  const auto is_small = [&](const Fill& fill, TopicNumber topic) {
+    const auto* slot = schema.at(topic).find(fill.slot);
+    const bool is_asked =
+        topic == context.asked_topic && fill.slot == context.asked_slot;
+    return slot && slot->fewest > 0 && !is_asked && fill.span &&
+           is_form(spans[*fill.span].entity) &&
+           spans[*fill.span].value.integer_or(slot->fewest) < slot->fewest;
+  };
+  std::erase_if(islands, [&](Island& island) {
+    const bool content = island.is_content();
+    std::erase_if(island.topics, [&](TopicNumber topic) {
+      return std::ranges::any_of(island.fills, [&](const Fill& fill) {
+        return is_small(fill, fill.topic == no_topic ? topic : fill.topic);
+      });
+    });
+    return content && !island.is_content();
+  });
+}
+
 void trust_whole_values(std::vector<Island>& islands,
                         const Utterance& utterance, const Spans& spans) {
   const auto is_whole = [&](const Island& island) {

@@ -17,6 +17,7 @@
 #include "adapters/nlu/acts/parts_of_values.hpp"
 #include "adapters/nlu/acts/taken_back.hpp"
 #include "adapters/nlu/grammar/merged_states.hpp"
+#include "adapters/nlu/parse/clause_filters.hpp"
 #include "adapters/nlu/parse/island_filters.hpp"
 #include "adapters/nlu/parse/mentions.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
@@ -230,6 +231,8 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
   leave_out_strangers(islands, utterance, spans, context);
   leave_out_pieces_of_values(islands, spans);
   leave_out_counts(islands, utterance, spans);
+  leave_out_past_orders(islands, utterance, schema);
+  leave_out_small_numbers(islands, spans, schema, context);
   leave_out_rivals_of_answers(islands, spans, context);
   leave_out_lookalikes(islands, utterance, spans, context);
   leave_out_unlikely_values(islands, utterance, spans, schema, context);

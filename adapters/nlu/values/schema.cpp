@@ -1,6 +1,8 @@
 #include "adapters/nlu/values/schema.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <span>
 
 #include "adapters/nlu/text/similarity.hpp"
 
@@ -25,6 +27,40 @@ std::optional<EntityId> named_entity(std::string_view name) {
   return {};
 }
 
+// Fewer digits may be any number.
+constexpr int least_digits = 3;
+
+int digits_of(std::int64_t number) {
+  int digits = 0;
+  for (; number > 0; number /= 10)
+    ++digits;
+  return digits;
+}
+
+// The smallest number of a digit less, if all from `least` to `most` have as many
+// digits and may be what things are known by; else 0.
+std::int64_t fewest_of(std::int64_t least, std::int64_t most) {
+  const auto digits = digits_of(least);
+  if (digits < least_digits || digits_of(most) != digits)
+    return 0;
+  std::int64_t fewest = 1;
+  for (int digit = 2; digit < digits; ++digit)
+    fewest *= 10;
+  return fewest;
+}
+
+// The same for values, if all of them are numbers.
+std::int64_t fewest_of(std::span<const std::string> values) {
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  std::int64_t most = 0;
+  for (const auto& value : values) {
+    const auto number = parse_number(value).integer_or(0);
+    least = std::min(least, number);
+    most = std::max(most, number);
+  }
+  return values.empty() ? 0 : fewest_of(least, most);
+}
+
 } // namespace
 
 const Schema::Slot* Schema::Topic::find(std::string_view slot) const {
@@ -43,9 +79,17 @@ Schema::Schema(const UnderstandingModel& model, const ColumnReader& reader,
   for (const auto& topic : model.topics) {
     Topic made{topic.name, topic.enquiry, topic.part, {}};
     for (const auto& slot : topic.slots)
-      made.slots.push_back({slot.name, entity_of(slot, {}, errors), slot.many});
+      made.slots.push_back(slot_of(slot, errors));
     topics_.push_back(std::move(made));
   }
+}
+
+Schema::Slot Schema::slot_of(const SlotModel& slot,
+                             std::vector<Error>& errors) {
+  const auto entity = entity_of(slot, {}, errors);
+  return {slot.name, entity, slot.many,
+          is_set(entity) ? fewest_[entity - first_set_entity]
+                         : fewest_of(slot.least, slot.most)};
 }
 
 // The kind of value of a slot: its own set, a column, a range of numbers, a
@@ -65,6 +109,7 @@ EntityId Schema::entity_of(const SlotModel& slot, const SourceLocation& place,
 }
 
 EntityId Schema::add_set(const std::vector<std::string>& values) {
+  fewest_.push_back(fewest_of(values));
   return first_set_entity + values_.add(values);
 }
 

@@ -65,6 +65,9 @@ public:
     std::string name;
     EntityId entity = words_entity;
     bool many = false; // several values of it may be said in one act
+    // A smaller number is none of it, unless it is asked for: where all have
+    // five digits, one of three may be a mistake, and "six" means another thing.
+    std::int64_t fewest = 0;
   };
   struct Topic {
     std::string name;
@@ -121,6 +124,7 @@ public:
   }
 
 private:
+  Slot slot_of(const SlotModel& slot, std::vector<Error>& errors);
   EntityId entity_of(const SlotModel& slot, const SourceLocation& place,
                      std::vector<Error>& errors);
   EntityId column(const std::string& name, const SourceLocation& place,
@@ -134,6 +138,7 @@ private:
   ColumnReader reader_;
   std::vector<Topic> topics_;
   ValueIndex values_;
+  std::vector<std::int64_t> fewest_; // by set
   TextMap<EntityId> columns_;
 };
 

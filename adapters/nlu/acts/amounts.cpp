@@ -64,13 +64,16 @@ private:
     return true;
   }
 
-  // "cups of", "slices of the".
+  // "cups of", "slices of the"; of "two of my", the number stays.
   void skip_measure() {
     const auto begin = at_;
-    take("the");
-    if (take("of") && at_ > floor_ && touches() && has(measures, before()))
+    if (!take("the") && !take("my") && !take("these"))
+      take("those");
+    if (!take("of") || at_ <= floor_ || !touches())
+      at_ = begin;
+    else if (has(measures, before()))
       --at_;
-    else
+    else if (!is_number_word(before()))
       at_ = begin;
   }
 

@@ -48,8 +48,16 @@ struct Said {
     corrected |= corrects;
   }
 
-  void take_out(const FrameChange& change, const Value& value) {
-    if (!values.remove(value))
+  // Of what may be meant, that which is there.
+  void take_out(const FrameChange& change, const Matched& matched) {
+    auto value = matched.value;
+    for (const auto& candidate : matched.candidates)
+      if (values.has(candidate)) {
+        if (!value.is_unknown())
+          return;
+        value = candidate;
+      }
+    if (!values.remove(value, change.amount))
       return;
     removed = true;
     last = &change;
@@ -85,7 +93,7 @@ void FillingEvent::fill_many(const Offer& offer) {
                                       cardinalities())
                        : match(definition, *change, cardinalities());
     if (denies) {
-      said.take_out(*change, matched.value);
+      said.take_out(*change, matched);
     } else if (!matched.value.is_unknown()) {
       said.put(*change, matched.value);
     } else if (matched.candidates.empty()) {

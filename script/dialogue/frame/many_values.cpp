@@ -22,6 +22,12 @@ Value sum(const Value& one, const Value& other) {
   return one.number_or(0) + other.number_or(0);
 }
 
+Value less(const Value& one, const Value& other) {
+  if (one.if_integer() && other.if_integer())
+    return *one.if_integer() - *other.if_integer();
+  return one.number_or(0) - other.number_or(0);
+}
+
 auto find(List& items, const Value& value) {
   return std::ranges::find_if(
       items, [&](const Value& one) { return one[value_key] == value; });
@@ -56,11 +62,15 @@ void ManyValues::replace_last(const Value& value, const Value& amount) {
   put(value, amount, false);
 }
 
-bool ManyValues::remove(const Value& value) {
+bool ManyValues::remove(const Value& value, const Value& amount) {
   const auto found = find(items_, value);
   if (found == items_.end())
     return false;
-  items_.erase(found);
+  const auto left = (*found)[amount_key].number_or(1) - amount.number_or(0);
+  if (amount.is_unknown() || left <= 0)
+    items_.erase(found);
+  else
+    *found = item(value, less((*found)[amount_key], amount));
   return true;
 }
 

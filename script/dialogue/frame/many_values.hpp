@@ -19,7 +19,8 @@ public:
   void put(const Value& value, const Value& amount, bool more);
   // What was said last becomes this one instead.
   void replace_last(const Value& value, const Value& amount);
-  bool remove(const Value& value); // whether it was there
+  // So many of it; unknown, or as many as there are: all. Whether it was there.
+  bool remove(const Value& value, const Value& amount);
 
   bool has(const Value& value) const;
   bool empty() const {

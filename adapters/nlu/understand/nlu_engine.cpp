@@ -45,6 +45,8 @@ constexpr std::size_t rule_sentences = 8000;
 // and beside others.
 constexpr double likely_by_itself = 0.7;
 constexpr double likely_beside_others = 0.9;
+// Where rules understood less of a sentence, it may be read by itself.
+constexpr double mostly_understood = 0.75;
 
 double coverage_of(const Chain& chain, const Utterance& utterance) {
   double covered = 0;
@@ -117,6 +119,18 @@ struct NluEngine::Implementation {
     if (!found.empty() && found[0].topic != no_topic &&
         found[0].score >= likely)
       add(found[0], utterance, spans, made);
+  }
+
+  // Whether other acts than this one are about the same.
+  bool is_said_by_others(const Understanding& read, std::size_t act,
+                         const std::vector<BuiltAct>& acts) const {
+    return std::ranges::all_of(read.acts, [&](const Value& one) {
+      const auto topic = schema.topic(one[act_key::topic].text());
+      for (std::size_t i = 0; i < acts.size(); ++i)
+        if (i != act && acts[i].topic == topic)
+          return true;
+      return false;
+    });
   }
 
   // The chains that end in other topics and score nearly as high.
@@ -247,6 +261,11 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
   drop_implausible(islands, utterance, spans);
 }
 
+// More than a value, and most of its words.
+bool is_understood(const BuiltAct& act) {
+  return !act.elliptical && act.score >= mostly_understood;
+}
+
 bool is_about_one(const std::vector<BuiltAct>& acts) {
   return acts.size() == 1 && acts[0].topic != no_topic;
 }
@@ -348,10 +367,12 @@ void NluEngine::read_sentences(const std::vector<SentenceApart>& sentences,
   for (const auto& [text, said, is_question] : sentences) {
     if (said.empty() && (is_question || !any_says_what))
       implementation_->add_left_sentence(text, needed, context, made);
-    if (said.size() != 1 || !acts[said[0]].elliptical)
+    if (said.size() != 1 || is_understood(acts[said[0]]))
       continue;
     auto alone = read(text, context_value, false);
-    if (!alone.is_learnt || alone.score < likely_beside_others)
+    if (!alone.is_learnt ||
+        alone.score < (is_question ? likely_by_itself : likely_beside_others) ||
+        implementation_->is_said_by_others(alone, said[0], acts))
       continue;
     instead[said[0]] = std::move(alone.acts);
     made.is_learnt = true;

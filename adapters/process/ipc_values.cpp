@@ -57,15 +57,19 @@ std::string text_of(const Value& value) {
 Value slot_value(const SlotModel& slot) {
   return List{slot.name,   slot.type,       all(slot.values, from_text),
               slot.source, slot.functional, slot.relevant_to_query,
-              slot.many,   slot.least,     slot.most};
+              slot.many,   slot.least,      slot.most};
 }
 
 SlotModel slot_from(const Value& value) {
-  return {
-      value.at(0).text(), value.at(1).text(), all_from(value.at(2), text_of),
-      value.at(3).text(), truth(value.at(4)), truth(value.at(5)),
-      truth(value.at(6)), value.at(7).integer_or(0),
-      value.at(8).integer_or(0)};
+  return {value.at(0).text(),
+          value.at(1).text(),
+          all_from(value.at(2), text_of),
+          value.at(3).text(),
+          truth(value.at(4)),
+          truth(value.at(5)),
+          truth(value.at(6)),
+          value.at(7).integer_or(0),
+          value.at(8).integer_or(0)};
 }
 
 Value topic_value(const TopicModel& topic) {

@@ -219,8 +219,8 @@ private:
     if (is_plain(act, "cancel") || is_plain(act, "abandon"))
       return word(act.begin) != "stop" && leaves_known_words(act);
     return is_plain(act, "deny") && !act.negated &&
-           (refuses_another(act) || (has(denials_, act.begin) &&
-                                     leaves_words(utterance_.size())));
+           (refuses_another(act) ||
+            (has(denials_, act.begin) && leaves_words(utterance_.size())));
   }
 
   // "Heat the hall, and don't you dare open the door": refused is what nobody

@@ -260,9 +260,8 @@ void leave_out_past_orders(std::vector<Island>& islands,
           return schema.at(topic).enquiry;
         }))
       return false;
-    const auto clause =
-        stretch_of(utterance.tokens, {island.begin, island.begin + 1},
-                   Break::comma);
+    const auto clause = stretch_of(
+        utterance.tokens, {island.begin, island.begin + 1}, Break::comma);
     for (auto did = clause.begin; did < island.begin; ++did)
       if (asks(did, clause.begin))
         return true;

@@ -290,8 +290,8 @@ void leave_out_counts(std::vector<Island>& islands, const Utterance& utterance,
                  is_form(spans[*fill.span].entity);
         }))
       return false;
-    const bool is_part = tokens[island.end].word == "of" &&
-                         island.end + 1 < tokens.size();
+    const bool is_part =
+        tokens[island.end].word == "of" && island.end + 1 < tokens.size();
     return is_unit(tokens[island.end].word) ||
            (is_part && is_group(tokens[island.end + 1].word));
   };

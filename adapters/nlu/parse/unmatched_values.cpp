@@ -253,9 +253,11 @@ void leave_out_rivals_of_answers(std::vector<Island>& islands,
       answers.push_back({fill->begin, fill->end});
   leave_out(islands, [&](const Island& island) {
     return island.is_content() && !context.expects_any(island.topics) &&
-           std::ranges::any_of(island.fills, [&](const Fill& fill) {
-             return fill.span && spans[*fill.span].unmatched;
-           }) &&
+           std::ranges::any_of(island.fills,
+                               [&](const Fill& fill) {
+                                 return fill.span &&
+                                        spans[*fill.span].unmatched;
+                               }) &&
            std::ranges::any_of(answers, [&](const TokenRange& answer) {
              return island.begin < answer.end && answer.begin < island.end;
            });

@@ -27,22 +27,23 @@ const Words& subjects() {
 // mind", "don't spill it".
 const Words& states_of_mind() {
   static const Words words{
-      "know",   "care",     "mind",  "forget", "hesitate", "worry", "understand",
-      "matter", "remember", "see",   "hear",   "have",     "get",   "got",
-      "find",   "only",     "sure",  "feel",   "work",     "mean",  "believe",
-      "ask",    "laugh",    "panic", "hurry",  "rush",     "argue", "spill",
-      "shout",  "fuss"};
+      "know",       "care",   "mind",     "forget", "hesitate", "worry",
+      "understand", "matter", "remember", "see",    "hear",     "have",
+      "get",        "got",    "find",     "only",   "sure",     "feel",
+      "work",       "mean",   "believe",  "ask",    "laugh",    "panic",
+      "hurry",      "rush",   "argue",    "spill",  "shout",    "fuss"};
   return words;
 }
 
-// Who does not do something, unless it is what somebody wants: "you don't happen
-// to know …", but "I don't want …" and "you don't have to …".
+// Who does not do something, unless it is what somebody wants: "you don't
+// happen to know …", but "I don't want …" and "you don't have to …".
 const Words& persons() {
-  static const Words words{"i", "we", "you", "they", "people", "he", "she", "it"};
+  static const Words words{"i",      "we", "you", "they",
+                           "people", "he", "she", "it"};
   return words;
 }
 const Words& wishes() {
-  static const Words words{"want", "need",    "like", "wish",
+  static const Words words{"want",  "need",    "like", "wish",
                            "think", "require", "have"};
   return words;
 }

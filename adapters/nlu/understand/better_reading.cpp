@@ -228,9 +228,8 @@ bool BetterReading::is_clear(const Fill& fill) const {
 
 bool BetterReading::choose(std::vector<BuiltAct>& acts,
                            const BuiltAct& hypothesis) const {
-  const bool opens =
-      are_openings(acts) ||
-      (are_weak_courtesies(acts) && hypothesis.score > very_likely);
+  const bool opens = are_openings(acts) || (are_weak_courtesies(acts) &&
+                                            hypothesis.score > very_likely);
   if (!opens && acts.size() > 1)
     return false;
   const bool is_sentence = !opens && well_taught_ && acts.size() == 1 &&

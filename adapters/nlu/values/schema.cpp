@@ -37,8 +37,8 @@ int digits_of(std::int64_t number) {
   return digits;
 }
 
-// The smallest number of a digit less, if all from `least` to `most` have as many
-// digits and may be what things are known by; else 0.
+// The smallest number of a digit less, if all from `least` to `most` have as
+// many digits and may be what things are known by; else 0.
 std::int64_t fewest_of(std::int64_t least, std::int64_t most) {
   const auto digits = digits_of(least);
   if (digits < least_digits || digits_of(most) != digits)

@@ -66,7 +66,8 @@ public:
     EntityId entity = words_entity;
     bool many = false; // several values of it may be said in one act
     // A smaller number is none of it, unless it is asked for: where all have
-    // five digits, one of three may be a mistake, and "six" means another thing.
+    // five digits, one of three may be a mistake, and "six" means another
+    // thing.
     std::int64_t fewest = 0;
   };
   struct Topic {

@@ -42,14 +42,15 @@ TEST(IpcValues, AreOptionsAndTexts) {
 }
 
 TEST(IpcValues, AreTheUnderstandingOfAnApplication) {
-  const auto model = std::make_shared<const UnderstandingModel>(
-      UnderstandingModel{{{"Visit",
-                           true,
-                           {{"Visitor", "set", {"David"}, "db:a.b", true, true},
-                            {"Time", "time", {}, "", false, false}},
-                           {"I am [David](Visitor)"}}},
-                         {{"greet", "public <a> = hi;", {"a.jsgf", 1, 2}}},
-                         {{"Ho", "HH OW"}}});
+  const auto model =
+      std::make_shared<const UnderstandingModel>(UnderstandingModel{
+          {{"Visit",
+            true,
+            {{"Visitor", "set", {"David"}, "db:a.b", true, true},
+             {"Time", "time", {}, "", false, false, true, 10, 99}},
+            {"I am [David](Visitor)"}}},
+          {{"greet", "public <a> = hi;", {"a.jsgf", 1, 2}}},
+          {{"Ho", "HH OW"}}});
   const auto read = understanding_from(to_value(model)).value();
   ASSERT_EQ(read->topics.size(), 1u);
   const auto& topic = read->topics[0];
@@ -62,6 +63,7 @@ TEST(IpcValues, AreTheUnderstandingOfAnApplication) {
   EXPECT_TRUE(topic.slots[0].functional);
   EXPECT_FALSE(topic.slots[1].relevant_to_query);
   EXPECT_EQ(topic.slots[1].type, "time");
+  EXPECT_EQ(topic.slots[1], model->topics[0].slots[1]);
   ASSERT_EQ(read->grammars.size(), 1u);
   EXPECT_EQ(read->grammars[0].text, "public <a> = hi;");
   EXPECT_EQ(read->grammars[0].place, (SourceLocation{"a.jsgf", 1, 2}));

@@ -67,4 +67,18 @@ TEST(UnderstandingBuilder, names_the_phone_that_does_not_exist) {
   }
 }
 
+TEST(UnderstandingBuilder, takes_the_bounds_that_are_written) {
+  const auto outcome = test::compile_declarations(
+      "<topic name='Loan'>"
+      "<slot name='Card'><cardinality type='range' from='10000' to='99999'/>"
+      "</slot>"
+      "<slot name='Days'><cardinality type='range' from='1' to='3 + 4'/></slot>"
+      "</topic>");
+  ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
+  const auto& slots = outcome.program->understanding->topics[0].slots;
+  EXPECT_EQ(slots[0].least, 10'000);
+  EXPECT_EQ(slots[0].most, 99'999);
+  EXPECT_EQ(slots[1].most, 0);
+}
+
 } // namespace parlour::script

@@ -34,6 +34,9 @@ TEST(Amounts, AreReadBackwardsFromTheValue) {
       {"one extra coffee", "1 more"},
       {"more coffee", " more"},
       {"another glass of water", "1 more"},
+      {"take one of the burgers", "1"},
+      {"two of my eggs", "2"},
+      {"some of the eggs", ""},
       // what belongs to something else
       {"room two, coffee", ""},
       {"the second coffee", ""},

@@ -67,5 +67,12 @@ TEST(Courtesies, WhichActsAreSo) {
   EXPECT_FALSE(opens("okay then", "confirm", 0, asks));
 }
 
+TEST(Courtesies, WhatJoinsASentenceIsLeftOut) {
+  EXPECT_EQ(without("And also my screen is dark"), "my screen is dark");
+  EXPECT_EQ(without("Good morning, but my screen is dark"),
+            "my screen is dark");
+  EXPECT_EQ(without("And in the bedroom"), "and in the bedroom");
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

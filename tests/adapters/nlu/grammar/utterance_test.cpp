@@ -151,5 +151,17 @@ TEST(Utterance, KeepsPunctuationOfHesitations) {
   EXPECT_EQ(made.tokens.list[1].before, Break::comma);
 }
 
+TEST(Utterance, WordsThatAreOnlyCrossMeanNothing) {
+  const Automaton automaton;
+  const auto fillers = [&](const char* text) {
+    const auto made = make_utterance(text, automaton);
+    return std::ranges::count(made.filler, true);
+  };
+  EXPECT_EQ(fillers("where the hell is it"), 2);
+  EXPECT_EQ(fillers("what on earth is it"), 2);
+  EXPECT_EQ(fillers("why in the world is it"), 3);
+  EXPECT_EQ(fillers("go to the hell"), 0);
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "adapters/nlu/parse/clause_filters.hpp"
-#include "tests/adapters/nlu/sample.hpp"
+#include "tests/adapters/nlu/stages.hpp"
 
 namespace parlour::adapters::nlu::test {
 namespace {
@@ -90,6 +90,24 @@ TEST(ClauseFilters, NeverMindWhatIsNamed) {
   EXPECT_EQ(understood("never mind the bank. is there a toilet"),
             "cancel + request Facility Category=toilet");
   EXPECT_EQ(understood("mind the bank"), understood("the bank"));
+}
+
+TEST(ClauseFilters, LeaveOutOrdersThatAreAskedAbout) {
+  const auto orders = [](const char* text) {
+    Stages stages(
+        "public <a> = need a taxi {topic=Taxi} {act=inform};\n"
+        "public <b> = is the bank open {topic=Facility} {act=request};",
+        text);
+    auto islands = stages.islands;
+    leave_out_past_orders(islands, stages.utterance, stages.schema);
+    return islands.size();
+  };
+  EXPECT_EQ(orders("need a taxi"), 1U);
+  EXPECT_EQ(orders("did I need a taxi"), 0U);
+  EXPECT_EQ(orders("why did he need a taxi"), 0U);
+  EXPECT_EQ(orders("I did need a taxi"), 1U);
+  EXPECT_EQ(orders("where did you say, need a taxi"), 1U);
+  EXPECT_EQ(orders("did you say is the bank open"), 1U); // no order
 }
 
 } // namespace

@@ -96,5 +96,18 @@ TEST(Spans, OfWordsThatASetDoesNotHave) {
   EXPECT_TRUE(stages.spans.at(entity, 0).empty());
 }
 
+TEST(Spans, OneIsNoNumberBehindAnAdjective) {
+  const auto is_number = [](const char* text, std::size_t at) {
+    Stages stages("public <a> = @number {Host};", text);
+    return !stages.spans.at(stages.entity("number"), at).empty();
+  };
+  EXPECT_FALSE(is_number("for the little one", 3));
+  EXPECT_FALSE(is_number("the one for moles", 1));
+  EXPECT_TRUE(is_number("in room one", 2));
+  EXPECT_TRUE(is_number("the room one", 2));
+  EXPECT_TRUE(is_number("one", 0));
+  EXPECT_TRUE(is_number("the two", 1));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

@@ -114,5 +114,24 @@ TEST(PiecesOfValues, BelongToTheWhole) {
             "~request Way Clinic=Lung clinic");
 }
 
+// Topic 2 takes any words; the time is asked for.
+TEST(RivalsOfAnswers, AreLeftOut) {
+  constexpr const char* rivals = R"(
+    public <at> = at @time {Time} {topic=Appointment} {act=inform};
+    public <there> = at @time and @Facility.Name {topic=Facility}
+      {act=request};)";
+  const auto topics = [&](const char* asked) {
+    Stages stages(rivals, "at three and tomfoolery", sample_context(asked));
+    auto islands = stages.islands;
+    leave_out_rivals_of_answers(islands, stages.spans, stages.context);
+    return std::ranges::any_of(islands, [](const Island& island) {
+      return island.find("Name") != nullptr;
+    });
+  };
+  EXPECT_FALSE(topics("Appointment.Time"));
+  EXPECT_TRUE(topics("Appointment.Visitor"));
+  EXPECT_TRUE(topics(""));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

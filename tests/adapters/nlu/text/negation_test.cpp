@@ -69,5 +69,26 @@ TEST(Negation, AnOrderAsAWhole) {
     EXPECT_FALSE(is_order(text)) << text;
 }
 
+TEST(Negation, AWarningIsNoOrder) {
+  for (const auto* text :
+       {"don't spill it", "don't be late", "don't ask me why",
+        "don't tell me it is closed", "you don't happen to know the way",
+        "I don't drink coffee", "people don't launch it here"})
+    EXPECT_FALSE(is_order(text)) << text;
+  for (const auto* text :
+       {"we don't want it", "I don't need the rocket", "don't tell her"})
+    EXPECT_TRUE(is_order(text)) << text;
+}
+
+TEST(Negation, WhatNobodyAskedForIsNotOrdered) {
+  for (const auto* text :
+       {"I didn't ask you to launch it", "I never told you to launch it",
+        "nobody asked you to launch it"})
+    EXPECT_TRUE(is_order(text)) << text;
+  for (const auto* text : {"did I not ask you to launch it", "who asked you",
+                           "I asked you to launch it"})
+    EXPECT_FALSE(is_order(text)) << text;
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

@@ -321,5 +321,53 @@ TEST(BetterReading, AnExpectedValueNeedsMuchMore) {
   EXPECT_FALSE(prefer_better(acts, act(0, 0.95), context, true));
 }
 
+TEST(BetterReading, TakesThePlaceOfCourtesiesHardlyUnderstood) {
+  std::vector<BuiltAct> polite{act(no_topic, 0.5), act(no_topic, 0.6)};
+  polite[0].act = "thank";
+  polite[1].act = "wait";
+  auto acts = polite;
+  EXPECT_TRUE(leaves_open(acts));
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.8), {}, true)); // not so likely
+  EXPECT_EQ(acts.size(), 2U);
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.9), {}, true));
+  acts = polite;
+  acts[1].score = 0.95;
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), {}, true));
+}
+
+TEST(BetterReading, TakesThePlaceOfACorrectionOfNothing) {
+  const Automaton automaton;
+  const auto utterance = make_utterance("the zork is free", automaton);
+  auto spans = spans_of(utterance);
+  const auto entity = schema().at(0).find("Host")->entity;
+  const auto opened = spans.open(entity, 1, 1);
+  ASSERT_FALSE(opened.empty());
+  const BetterReading reading(schema(), {}, utterance, spans, true);
+  auto corrects = act(0, 0.97, true);
+  corrects.act = "correct";
+  std::vector<BuiltAct> acts{corrects};
+  EXPECT_FALSE(reading.choose(acts, act(1, 0.85)));
+  corrects.fills = {{"Host", 0, opened.front(), {}, 1, 2}};
+  acts = {corrects};
+  EXPECT_TRUE(reading.choose(acts, act(1, 0.85)));
+}
+
+TEST(BetterReading, KeepsAValueThatTheMeaningHas) {
+  const Automaton automaton;
+  const auto utterance = make_utterance("where did Anand Menon go", automaton);
+  const auto spans = spans_of(utterance);
+  std::vector<BuiltAct> said{act(2, 0.6)};
+  said[0].fills = {value("Host", spans, 2)};
+  const auto takes = [&](const char* meant) {
+    auto acts = said;
+    auto hypothesis = act(0, 0.95);
+    hypothesis.fills = {{"Host", 0, {}, Value(meant), 0, 5}};
+    return BetterReading(schema(), {}, utterance, spans, true)
+        .choose(acts, hypothesis);
+  };
+  EXPECT_TRUE(takes("Anand Menon"));
+  EXPECT_FALSE(takes("Priya Nair"));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

@@ -98,5 +98,40 @@ TEST_F(SchemaOfSample, AColumnThatCannotBeReadIsAnErrorAndEmpty) {
   EXPECT_EQ(errors[0].place.line, 4U);
 }
 
+TEST(SchemaOfNumbers, KnowsWhatIsTooSmall) {
+  const auto fewest = [](std::int64_t least, std::int64_t most) {
+    UnderstandingModel model;
+    SlotModel slot{"Card", "range", {}, "", true};
+    slot.least = least;
+    slot.most = most;
+    model.topics = {{"Loan", false, {slot}, {}}};
+    std::vector<Error> errors;
+    return Schema(model, {}, errors).at(0).find("Card")->fewest;
+  };
+  EXPECT_EQ(fewest(10'000, 99'999), 1000);
+  EXPECT_EQ(fewest(100, 400), 10);
+  EXPECT_EQ(fewest(5, 30), 0);
+  EXPECT_EQ(fewest(5, 300), 0);
+  EXPECT_EQ(fewest(0, 0), 0);
+}
+
+TEST(SchemaOfNumbers, KnowsItOfAColumn) {
+  UnderstandingModel model;
+  model.topics = {{"Stay",
+                   false,
+                   {{"Room", "query", {}, "db:room.number", true},
+                    {"Place", "query", {}, "db:place.name", true}},
+                   {}}};
+  std::vector<Error> errors;
+  const auto read = [](const std::string& column) {
+    return Expected<std::vector<std::string>>(
+        column == "db:room.number" ? std::vector<std::string>{"101", "412"}
+                                   : std::vector<std::string>{"101", "bar"});
+  };
+  const Schema schema(model, read, errors);
+  EXPECT_EQ(schema.at(0).find("Room")->fewest, 10);
+  EXPECT_EQ(schema.at(0).find("Place")->fewest, 0);
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

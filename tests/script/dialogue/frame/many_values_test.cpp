@@ -45,11 +45,21 @@ TEST(ManyValues, HavePartsOfAnAmount) {
 
 TEST(ManyValues, GoAndAreReplaced) {
   ManyValues values(Value(List{item("tea", 2), item("cake", 1)}));
-  EXPECT_FALSE(values.remove("pie"));
-  EXPECT_TRUE(values.remove("tea"));
+  EXPECT_FALSE(values.remove("pie", {}));
+  EXPECT_TRUE(values.remove("tea", {}));
   EXPECT_FALSE(values.has("tea"));
   values.replace_last("pie", 4);
   EXPECT_EQ(values.take(), Value(List{item("pie", 4)}));
+}
+
+TEST(ManyValues, AreFewer) {
+  ManyValues values(Value(List{item("tea", 3), item("cake", 1)}));
+  EXPECT_TRUE(values.remove("tea", 1));
+  EXPECT_TRUE(values.remove("cake", 1));
+  EXPECT_EQ(values.take(), Value(List{item("tea", 2)}));
+  values = ManyValues(Value(List{item("tea", 3), item("cake", 1)}));
+  EXPECT_TRUE(values.remove("tea", 4));
+  EXPECT_EQ(values.take(), Value(List{item("cake", 1)}));
 }
 
 } // namespace

@@ -4,12 +4,18 @@
 #include <string_view>
 
 #include "adapters/nlu/acts/courtesies.hpp"
+#include "adapters/nlu/forms/number_words.hpp"
 #include "adapters/nlu/parse/question_words.hpp"
 #include "adapters/nlu/text/has.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
+
+// The least that is understood of what has a value in a clause of its own.
+constexpr double clause_of_value = 0.5;
+// "20805" is what somebody or something is known by.
+constexpr std::size_t digits_of_a_name = 4;
 
 // How much of each token is understood, from 0 to its weight. An island's
 // coverage is spread evenly over its tokens.
@@ -118,6 +124,26 @@ bool is_whole_sentence(const BuiltAct& act, const std::vector<double>& covered,
   return true;
 }
 
+// A mere value that is all of a clause: "The umbrella! What sun?", "oh these
+// figures, I mean 20805". A small number, or words that may be anything, are
+// none.
+bool is_clause_of_value(const BuiltAct& act, const std::vector<double>& covered,
+                        const Utterance& utterance) {
+  const auto clause =
+      stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);
+  for (auto token = clause.begin; token < clause.end; ++token)
+    if (covered[token] == 0 && utterance.weight[token] > 0)
+      return false;
+  return std::ranges::any_of(act.fills, [&](const Fill& fill) {
+    if (fill.literal || fill.open)
+      return false;
+    const auto& word = utterance.tokens.list[fill.begin].word;
+    return (has_digit(word) ? word.size() >= digits_of_a_name
+                            : utterance.has_content(fill.begin, fill.end) &&
+                                  !is_number_word(word));
+  });
+}
+
 } // namespace
 
 // An act is scored on the tokens from its begin to the begin of the next one,
@@ -157,6 +183,8 @@ void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
         whole += utterance.weight[token];
       }
     acts[at].understood = whole > 0 ? std::min(1.0, sum / whole) : 1.0;
+    if (acts.size() == 1 && is_clause_of_value(act, covered, utterance))
+      acts[at].understood = std::max(acts[at].understood, clause_of_value);
     acts[at].score = acts[at].understood + bonus_of(acts[at], context);
   }
 }

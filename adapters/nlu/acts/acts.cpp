@@ -152,11 +152,8 @@ private:
     return island.asked && fill.open && said && said->open && !marker_;
   }
 
-  // "not the blue one". In "not Orchard Road, take me to Tampines", what is not
-  // wanted is something that nothing has understood.
   bool denies(const Island& island) const {
-    return marker_ && marker_->denies &&
-           utterance_.weight_of(marker_->end, island.begin) < full_weight;
+    return marker_ && nlu::denies(utterance_, *marker_, island);
   }
 
   // Behind the values that are not wanted, of a slot with several: "no towels,

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "adapters/nlu/text/negation.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {
@@ -14,6 +16,16 @@ bool begins_what_is_wanted(std::string_view word) {
 }
 
 } // namespace
+
+bool denies(const Utterance& utterance, const Island& marker,
+            const Island& island) {
+  const auto& tokens = utterance.tokens.list;
+  const bool ends_sentence = marker.end < tokens.size() &&
+                             is_not(tokens[marker.end - 1].word) &&
+                             tokens[marker.end].before == Break::sentence;
+  return marker.denies && !ends_sentence &&
+         utterance.weight_of(marker.end, island.begin) < full_weight;
+}
 
 bool denies_first_value(const Utterance& utterance, const Island& marker,
                         const Island& island) {

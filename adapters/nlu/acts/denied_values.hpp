@@ -1,4 +1,4 @@
-// Which values of an island are denied, where one slot takes several: "no
+// Which values of an island are denied, also where one slot takes several: "no
 // towels please, one more pillow".
 #pragma once
 
@@ -8,6 +8,12 @@
 #include "adapters/nlu/parse/islands.hpp"
 
 namespace parlour::adapters::nlu {
+
+// Whether the marker denies the island: "not the blue one". In "not Orchard
+// Road, take me to Tampines", what is not wanted is something that nothing has
+// understood; "she isn't. Toilets?" denies no toilets.
+bool denies(const Utterance& utterance, const Island& marker,
+            const Island& island);
 
 // Whether the marker is a "no" that begins a clause, and the island's first
 // value follows it at once: "no towels". "No, towels" and "there are no towels"

@@ -127,6 +127,9 @@ bool BetterReading::is_better(const BuiltAct& act,
   const bool breaks_off = act.act == "cancel" || act.act == "abandon";
   if (act.topic == no_topic)
     return is_replaceable(act) && hypothesis.score > act.score &&
+           std::ranges::all_of(
+               act.fills,
+               [&](const Fill& fill) { return keeps(hypothesis, fill); }) &&
            !(breaks_off && context_.expects(hypothesis.topic));
   if (well_taught_ && act.topic == context_.asked_topic)
     return false;

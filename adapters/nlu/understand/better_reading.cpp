@@ -192,13 +192,15 @@ bool BetterReading::keeps(const BuiltAct& hypothesis, const Fill& fill) const {
 std::optional<double>
 BetterReading::needed_instead_of(const BuiltAct& act,
                                  const BuiltAct& hypothesis) const {
-  double needed = context_.asked_topic == no_topic ? likely : very_likely;
+  double needed = context_.expects(act.topic)         ? well_understood
+                  : context_.asked_topic == no_topic ? likely
+                                                     : very_likely;
   for (const auto& fill : act.fills) {
     if (keeps(hypothesis, fill))
       continue;
     if (!is_doubtful(fill))
       return {};
-    needed = very_likely;
+    needed = std::max(needed, very_likely);
   }
   return needed;
 }
@@ -208,7 +210,7 @@ BetterReading::needed_instead_of(const BuiltAct& act,
 bool BetterReading::is_better_sentence(const BuiltAct& act,
                                        const BuiltAct& hypothesis) const {
   if (act.topic == no_topic || hypothesis.topic == no_topic ||
-      !leaves_words(act) || context_.expects(act.topic))
+      !leaves_words(act) || context_.goes_on(act.topic))
     return false;
   const bool begins_task =
       !schema_.at(hypothesis.topic).enquiry && schema_.at(act.topic).enquiry;

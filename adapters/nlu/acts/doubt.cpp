@@ -219,8 +219,14 @@ private:
     if (is_plain(act, "cancel") || is_plain(act, "abandon"))
       return word(act.begin) != "stop" && leaves_known_words(act);
     return is_plain(act, "deny") && !act.negated &&
-           (refuses_another(act) ||
+           (refuses_another(act) || only_warns(act) ||
             (has(denials_, act.begin) && leaves_words(utterance_.size())));
+  }
+
+  // "Don't spill it", but not "no, don't spill it".
+  bool only_warns(const BuiltAct& act) const {
+    return word(act.begin) != "no" &&
+           is_warning(utterance_.tokens, act.end - 1);
   }
 
   // "Heat the hall, and don't you dare open the door": refused is what nobody

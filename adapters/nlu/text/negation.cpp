@@ -24,14 +24,19 @@ const Words& subjects() {
 }
 
 // "do not" before one of these is no order: "don't forget to …", "I don't
-// mind", "don't spill it".
+// mind".
 const Words& states_of_mind() {
   static const Words words{
-      "know",       "care",   "mind",     "forget", "hesitate", "worry",
-      "understand", "matter", "remember", "see",    "hear",     "have",
-      "get",        "got",    "find",     "only",   "sure",     "feel",
-      "work",       "mean",   "believe",  "ask",    "laugh",    "panic",
-      "hurry",      "rush",   "argue",    "spill",  "shout",    "fuss"};
+      "know",   "care",     "mind", "forget", "hesitate", "worry", "understand",
+      "matter", "remember", "see",  "hear",   "have",     "get",   "got",
+      "find",   "only",     "sure", "feel",   "work",     "mean",  "believe"};
+  return words;
+}
+
+// How something is not to be done, or what is not to be said about it.
+const Words& warnings() {
+  static const Words words{"ask",   "laugh", "panic", "hurry", "rush",
+                           "argue", "spill", "shout", "fuss",  "be"};
   return words;
 }
 
@@ -104,11 +109,15 @@ public:
     if (takes_back(token))
       return true;
     const auto what = object(token);
-    // "Don't be late", "don't tell me that …"
-    if (word(token + 1) == "be" ||
-        (word(token + 1) == "tell" && word(token + 2) == "me"))
+    if (warns(token))
       return false;
     return is_order(token) && !what.empty() && !states_of_mind().contains(what);
+  }
+  // "Don't be late", "don't tell me that …"
+  bool warns(std::size_t token) const {
+    return is_not(word(token)) &&
+           (warnings().contains(word(token + 1)) ||
+            (word(token + 1) == "tell" && word(token + 2) == "me"));
   }
   // "… No taxi then.": the last sentence, if it is short and says that
   // something is settled. "No hurry", "no hot water" tell something.
@@ -168,6 +177,10 @@ bool is_linking_word(std::string_view word) {
                            "an",   "any",    "my",   "your", "have",   "going",
                            "try",  "please", "be"};
   return words.contains(word);
+}
+
+bool is_warning(const Tokens& tokens, std::size_t token) {
+  return Negations(tokens).warns(token);
 }
 
 bool is_negated_order(const Tokens& tokens, const std::vector<bool>& negates) {

@@ -21,6 +21,10 @@ bool is_not(std::string_view word);
 // "to" in "(do not) want to open".
 bool is_linking_word(std::string_view word);
 
+// Whether the "not" at this token only warns: "don't spill it", "don't be
+// late".
+bool is_warning(const Tokens& tokens, std::size_t token);
+
 // Whether the utterance as a whole is a negated order: "please do not …", "no
 // taxi then".
 // `negates` is the result of negations().

@@ -45,7 +45,7 @@ constexpr std::size_t rule_sentences = 8000;
 // and beside others.
 constexpr double likely_by_itself = 0.7;
 constexpr double likely_beside_others = 0.9;
-// Where rules understood less of a sentence, it may be read by itself.
+// Where rules understood less of a question, it may be read by itself.
 constexpr double mostly_understood = 0.75;
 
 double coverage_of(const Chain& chain, const Utterance& utterance) {
@@ -261,9 +261,9 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
   drop_implausible(islands, utterance, spans);
 }
 
-// More than a value, and most of its words.
-bool is_understood(const BuiltAct& act) {
-  return !act.elliptical && act.score >= mostly_understood;
+// More than a value, and of a question most of the words.
+bool is_understood(const BuiltAct& act, bool is_question) {
+  return !act.elliptical && (!is_question || act.score >= mostly_understood);
 }
 
 bool is_about_one(const std::vector<BuiltAct>& acts) {
@@ -367,7 +367,7 @@ void NluEngine::read_sentences(const std::vector<SentenceApart>& sentences,
   for (const auto& [text, said, is_question] : sentences) {
     if (said.empty() && (is_question || !any_says_what))
       implementation_->add_left_sentence(text, needed, context, made);
-    if (said.size() != 1 || is_understood(acts[said[0]]))
+    if (said.size() != 1 || is_understood(acts[said[0]], is_question))
       continue;
     auto alone = read(text, context_value, false);
     if (!alone.is_learnt ||

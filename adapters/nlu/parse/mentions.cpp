@@ -51,9 +51,9 @@ private:
   // Words behind a comma aside: "The blue one, as always."
   bool is_sentence(const Island& island) const {
     const auto begin = sentence_of(island).begin;
-    const auto end = stretch_of(utterance_.tokens, {island.begin, island.end},
-                                Break::comma)
-                         .end;
+    const auto end =
+        stretch_of(utterance_.tokens, {island.begin, island.end}, Break::comma)
+            .end;
     return is_value(island) && !utterance_.has_content(begin, island.begin) &&
            !utterance_.has_content(island.end, end);
   }

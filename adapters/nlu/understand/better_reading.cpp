@@ -192,7 +192,7 @@ bool BetterReading::keeps(const BuiltAct& hypothesis, const Fill& fill) const {
 std::optional<double>
 BetterReading::needed_instead_of(const BuiltAct& act,
                                  const BuiltAct& hypothesis) const {
-  double needed = context_.expects(act.topic)         ? well_understood
+  double needed = context_.expects(act.topic)        ? well_understood
                   : context_.asked_topic == no_topic ? likely
                                                      : very_likely;
   for (const auto& fill : act.fills) {

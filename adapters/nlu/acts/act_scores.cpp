@@ -1,6 +1,7 @@
 #include "adapters/nlu/acts/act_scores.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <string_view>
 
 #include "adapters/nlu/acts/courtesies.hpp"
@@ -16,6 +17,8 @@ namespace {
 constexpr double clause_of_value = 0.5;
 // "20805" is what somebody or something is known by.
 constexpr std::size_t digits_of_a_name = 4;
+// Words that may follow a value in its sentence: ", as always".
+constexpr std::uint32_t most_behind_value = 2;
 
 // How much of each token is understood, from 0 to its weight. An island's
 // coverage is spread evenly over its tokens.
@@ -124,9 +127,9 @@ bool is_whole_sentence(const BuiltAct& act, const std::vector<double>& covered,
   return true;
 }
 
-// A mere value that is all of a clause: "The umbrella! What sun?", "oh these
-// figures, I mean 20805". A small number, or words that may be anything, are
-// none.
+// A mere value that is all of a sentence, or of a clause that corrects: "The
+// blue one, as always. I got it from …", "oh these figures, I mean 20805". A
+// small number, or words that may be anything, are none.
 bool is_clause_of_value(const BuiltAct& act, const std::vector<double>& covered,
                         const Utterance& utterance) {
   const auto clause =
@@ -134,6 +137,12 @@ bool is_clause_of_value(const BuiltAct& act, const std::vector<double>& covered,
   for (auto token = clause.begin; token < clause.end; ++token)
     if (covered[token] == 0 && utterance.weight[token] > 0)
       return false;
+  const auto sentence =
+      stretch_of(utterance.tokens, {act.begin, act.end}, Break::sentence);
+  if (act.act != "correct" &&
+      (utterance.has_content(sentence.begin, clause.begin) ||
+       sentence.end - clause.end > most_behind_value))
+    return false;
   return std::ranges::any_of(act.fills, [&](const Fill& fill) {
     if (fill.literal || fill.open)
       return false;

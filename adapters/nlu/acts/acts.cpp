@@ -113,7 +113,8 @@ private:
     if (lead_in_ && is_before_sentence(*lead_in_, island, utterance_.tokens))
       lead_in_ = nullptr;
     // Nobody is to wait in "no, wait, make it four".
-    if (wait_ && !island.act.empty() && island.act != "correct") {
+    const bool waits = wait_ && !island.act.empty() && island.act != "correct";
+    if (waits || (marker_ && ends_sentence(utterance_, *marker_))) {
       close();
       add_held();
     }
@@ -152,8 +153,11 @@ private:
     return island.asked && fill.open && said && said->open && !marker_;
   }
 
+  // "not the blue one". In "not Orchard Road, take me to Tampines", what is not
+  // wanted is something that nothing has understood.
   bool denies(const Island& island) const {
-    return marker_ && nlu::denies(utterance_, *marker_, island);
+    return marker_ && marker_->denies &&
+           utterance_.weight_of(marker_->end, island.begin) < full_weight;
   }
 
   // Behind the values that are not wanted, of a slot with several: "no towels,

@@ -17,14 +17,10 @@ bool begins_what_is_wanted(std::string_view word) {
 
 } // namespace
 
-bool denies(const Utterance& utterance, const Island& marker,
-            const Island& island) {
+bool ends_sentence(const Utterance& utterance, const Island& marker) {
   const auto& tokens = utterance.tokens.list;
-  const bool ends_sentence = marker.end < tokens.size() &&
-                             is_not(tokens[marker.end - 1].word) &&
-                             tokens[marker.end].before == Break::sentence;
-  return marker.denies && !ends_sentence &&
-         utterance.weight_of(marker.end, island.begin) < full_weight;
+  return marker.end < tokens.size() && is_not(tokens[marker.end - 1].word) &&
+         tokens[marker.end].before == Break::sentence;
 }
 
 bool denies_first_value(const Utterance& utterance, const Island& marker,

@@ -1,5 +1,5 @@
-// Which values of an island are denied, also where one slot takes several: "no
-// towels please, one more pillow".
+// Which values of an island are denied, above all where one slot takes several:
+// "no towels please, one more pillow".
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,9 @@
 
 namespace parlour::adapters::nlu {
 
-// Whether the marker denies the island: "not the blue one". In "not Orchard
-// Road, take me to Tampines", what is not wanted is something that nothing has
-// understood; "she isn't. Toilets?" denies no toilets.
-bool denies(const Utterance& utterance, const Island& marker,
-            const Island& island);
+// Whether the marker is a "not" at the end of a sentence, and denies nothing
+// behind it: "She isn't. Toilets?"
+bool ends_sentence(const Utterance& utterance, const Island& marker);
 
 // Whether the marker is a "no" that begins a clause, and the island's first
 // value follows it at once: "no towels". "No, towels" and "there are no towels"

@@ -72,5 +72,25 @@ TEST(ActScores, TakeNothingFromARefusalForItsReason) {
   EXPECT_EQ(acts("Yes, my brother came along with his big red lorry"), "");
 }
 
+TEST(ActScores, CountAValueThatIsAllOfASentence) {
+  static const auto engine = sample();
+  const auto category = [](const char* text) {
+    const auto made = engine.understand(text, sample_context(""));
+    return made.acts.empty()
+               ? std::string()
+               : made.acts[0]["slots"]["Category"]["value"].text();
+  };
+  EXPECT_EQ(category("The toilet. My zorking brother zorks with zorked zorks"),
+            "toilet");
+  EXPECT_EQ(
+      category("The toilet, as always. My brother zorks with zorked zorks"),
+      "toilet");
+  EXPECT_EQ(
+      category("My zorking brother zorks with zorked zorks. I mean toilet"),
+      "toilet");
+  EXPECT_EQ(category("My brother zorks, the toilet, with big and zorked zorks"),
+            "");
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

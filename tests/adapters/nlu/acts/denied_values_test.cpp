@@ -49,5 +49,11 @@ TEST(DeniedValues, EndWhereSomethingIsWanted) {
   EXPECT_EQ(understood("we don't need any towels or soap"), "deny");
 }
 
+TEST(DeniedValues, AreNoneBehindASentenceThatDenies) {
+  EXPECT_EQ(understood("Of course she isn't. Towels?", "Supplies"),
+            understood("Towels?", "Supplies"));
+  EXPECT_EQ(understood("not towels", "Supplies"), "deny towels");
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

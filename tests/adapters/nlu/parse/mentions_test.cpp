@@ -28,5 +28,12 @@ TEST(Mentions, AreWhatIsWantedWhereNothingElseIsSaid) {
             understood("The bank."));
 }
 
+TEST(Mentions, AreWhatSomebodyHasOrHad) {
+  EXPECT_EQ(understood("The bank. The toilet was zorked."),
+            understood("The bank."));
+  EXPECT_EQ(understood("The bank, as always. Zoe has the toilet."),
+            understood("The bank, as always."));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

@@ -369,5 +369,28 @@ TEST(BetterReading, KeepsAValueThatTheMeaningHas) {
   EXPECT_FALSE(takes("Priya Nair"));
 }
 
+TEST(BetterReading, IsNeededToBeSureOfWhatWasSpokenOfLast) {
+  Context context;
+  context.completed = 2;
+  const auto replaces = [&](double score) {
+    std::vector<BuiltAct> acts{act(2, 0.7)};
+    return prefer_better(acts, act(0, score), context, true);
+  };
+  EXPECT_FALSE(replaces(0.85));
+  EXPECT_TRUE(replaces(0.95));
+  context.current = 2;
+  EXPECT_FALSE(replaces(0.95));
+}
+
+TEST(BetterReading, LosesNoValueOfNoTopic) {
+  const Automaton automaton;
+  const auto utterance = make_utterance("it is Anand Menon", automaton);
+  const auto spans = spans_of(utterance);
+  std::vector<BuiltAct> acts{act(no_topic, 0.5)};
+  acts[0].fills = {value("Host", spans, 2)};
+  EXPECT_FALSE(BetterReading(schema(), {}, utterance, spans, true)
+                   .choose(acts, act(0, 0.9)));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

@@ -161,6 +161,10 @@ inline void add_test_plugin_flags(CLI::App& command,
       ->required();
   command.add_option("--option", options.options,
                      "NAME=VALUE, as often as there are some");
+  add_number<int>(
+      &command, "--load-seconds", {0, 50},
+      "How long after its start it may load what it needs; else 15",
+      [&](int time) { options.load_time = std::chrono::seconds(time); });
 }
 
 inline void add_exec_flags(CLI::App& command, ExecOptions& options) {

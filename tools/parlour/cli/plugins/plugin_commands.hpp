@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/clock.hpp"
 #include "tools/parlour/console/console.hpp"
 #include "tools/parlour/console/places.hpp"
 
@@ -36,6 +37,9 @@ int plugin_new_command(const Places& places, const NewPluginOptions& options,
 struct TestPluginOptions {
   std::string plugin;               // a file NAME.so, or a plug-in's name
   std::vector<std::string> options; // "name=value"
+  // How long after its start it may load what it needs, such as a model: until
+  // then, an answer may take longer.
+  Milliseconds load_time{15'000};
 };
 // The test runs in a child process, so a plug-in may crash or hang.
 int plugin_test_command(const Places& places, const TestPluginOptions& options,

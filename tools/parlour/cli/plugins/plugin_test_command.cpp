@@ -25,9 +25,6 @@ namespace parlour::tools {
 
 namespace {
 
-// How long after its start a plug-in may load what it needs, such as a model.
-constexpr Milliseconds warm_up{15'000};
-
 // Time for the whole test; SIGALRM then ends the child.
 constexpr unsigned trial_seconds = 60;
 
@@ -79,7 +76,7 @@ Report try_out(const Places& places, const TestPluginOptions& asked,
   const auto wrong = conformance_errors(
       *factory,
       {std::move(*options), Milliseconds(2'000), data, places.working.string(),
-       [&](const auto& step) { progress.is_at(step); }, warm_up});
+       [&](const auto& step) { progress.is_at(step); }, asked.load_time});
   std::string text;
   for (const auto& sentence : wrong)
     text += asked.plugin + ": " + sentence + '\n';

@@ -78,7 +78,8 @@ TEST_F(PluginCommandsTest, test_tries_a_file_and_a_name) {
 }
 
 TEST_F(PluginCommandsTest, test_finds_what_is_too_slow) {
-  EXPECT_EQ(call({"plugin", "test", "EchoTTS", "--option", "pace=1m"}),
+  EXPECT_EQ(call({"plugin", "test", "EchoTTS", "--option", "pace=1m",
+                  "--load-seconds", "0"}),
             exit_code::wrong);
   EXPECT_THAT(out_.str(), HasSubstr("is not answered in time by Finished"));
   EXPECT_THAT(out_.str(), HasSubstr("EchoTTS: 1 wrong\n"));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "adapters/nlu/acts/amounts.hpp"
+#include "adapters/nlu/forms/number_words.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -14,6 +15,16 @@ namespace {
 // Confidences are rounded so that they print well.
 double in_thousandths(double confidence) {
   return std::round(confidence * 1000) / 1000;
+}
+
+// "Twelve", which is no telephone number, is no other than "12".
+std::string figures_of(const Tokens& tokens, const Fill& fill,
+                       const std::string& text) {
+  const auto number = number_at(tokens, fill.begin);
+  return number && !number->ordinal && !number->digits &&
+                 fill.begin + number->length == fill.end
+             ? std::to_string(number->value)
+             : text;
 }
 
 Value fill_value(const Fill& fill, const Utterance& utterance,
@@ -29,8 +40,11 @@ Value fill_value(const Fill& fill, const Utterance& utterance,
     made.set(act_key::confidence, in_thousandths(span.confidence));
     if (is_form(span.entity) && !span.unmatched)
       made.set(act_key::value, span.value);
-    if (span.unmatched)
+    if (span.unmatched) {
       made.set(act_key::unmatched, true);
+      if (is_form(span.entity))
+        made.set(act_key::value, figures_of(utterance.tokens, fill, text));
+    }
     const auto set = span.entity - first_set_entity;
     List candidates;
     for (const auto value : span.values)

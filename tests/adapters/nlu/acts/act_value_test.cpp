@@ -37,5 +37,16 @@ TEST(ActValue, KeepsCandidates) {
   EXPECT_EQ(slot["candidates"], Value(List{"Ho Hui Min", "Tan Hui Min"}));
 }
 
+// A number in words that is no value is told in figures.
+TEST(ActValue, WritesNumbersThatDoNotFit) {
+  static const auto engine = sample();
+  const auto phone = [](const char* text) {
+    const auto made = engine.understand(text, sample_context("Taxi.Phone"));
+    return made.acts.at(0)["slots"]["Phone"]["value"].text();
+  };
+  EXPECT_EQ(phone("twelve"), "12");
+  EXPECT_EQ(phone("012"), "012");
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

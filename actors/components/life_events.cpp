@@ -45,7 +45,8 @@ std::optional<Transition> LifeEvents::next() {
     raised_.clear();
     const auto item = std::move(queue_.front());
     queue_.pop_front();
-    made = std::visit([this](const auto& one) { return take(one); }, item);
+    made =
+        std::visit([this](const auto& one) { return this->take(one); }, item);
   }
   return made;
 }

@@ -147,7 +147,7 @@ bool is_clause_of_value(const BuiltAct& act, const std::vector<double>& covered,
     if (fill.literal || fill.open)
       return false;
     const auto& word = utterance.tokens.list[fill.begin].word;
-    return (has_digit(word) ? word.size() >= digits_of_a_name
+    return (has_digit(word) ? digits_of(word) && word.size() >= digits_of_a_name
                             : utterance.has_content(fill.begin, fill.end) &&
                                   !is_number_word(word));
   });

@@ -86,12 +86,16 @@ Map act_value(const BuiltAct& act, const Utterance& utterance,
     const bool many =
         act.topic != no_topic && schema.at(act.topic).takes_many(fill.slot);
     auto value = fill_value(fill, utterance, spans, schema, act);
-    if (many)
-      add_item(
-          slots, fill.slot, *value.if_map(),
-          amount_before(utterance.tokens, fill.begin, end_before(act, fill)));
-    else
+    if (!many) {
       slots.set(fill.slot, std::move(value));
+      continue;
+    }
+    auto amount =
+        amount_before(utterance.tokens, fill.begin, end_before(act, fill));
+    // "I don't want a coffee any more": none at all.
+    if (act.act == "deny" && amount.by_article && !slots.find(fill.slot))
+      amount = {};
+    add_item(slots, fill.slot, *value.if_map(), amount);
   }
   const auto topic =
       act.topic == no_topic ? Value() : Value(schema.at(act.topic).name);

@@ -7,6 +7,7 @@
 
 #include "adapters/nlu/forms/number_words.hpp"
 #include "adapters/nlu/text/has.hpp"
+#include "adapters/nlu/text/words.hpp"
 #include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::nlu {
@@ -38,12 +39,16 @@ public:
     Amount amount;
     amount.more = take("more") || take("extra") || take("additional");
     amount.number = number();
+    if (const auto some = amount.number ? number_of_these() : std::nullopt)
+      amount.number = some;
     if (!amount.number && take("another")) {
       amount.number = 1;
       amount.more = true;
     }
-    if (!amount.number && at_ > floor_ && touches() && is_article(before()))
+    if (!amount.number && at_ > floor_ && touches() && is_article(before())) {
       amount.number = 1;
+      amount.by_article = true;
+    }
     return amount;
   }
 
@@ -67,14 +72,36 @@ private:
   // "cups of", "slices of the"; of "two of my", the number stays.
   void skip_measure() {
     const auto begin = at_;
-    if (!take("the") && !take("my") && !take("these"))
-      take("those");
+    if (at_ > floor_ && touches() && is_determiner(before()))
+      --at_;
+    if (ends_number()) // "a couple of"
+      return;
     if (!take("of") || at_ <= floor_ || !touches())
       at_ = begin;
     else if (has(measures, before()))
       --at_;
-    else if (!is_number_word(before()))
+    else if (!ends_number())
       at_ = begin;
+  }
+
+  bool ends_number() {
+    const auto end = at_;
+    const bool ends = number().has_value();
+    at_ = end;
+    return ends;
+  }
+
+  // "one of the two …"
+  std::optional<std::int64_t> number_of_these() {
+    const auto begin = at_;
+    if (at_ > floor_ && touches() && is_determiner(before())) {
+      --at_;
+      if (take("of"))
+        if (const auto some = number())
+          return some;
+    }
+    at_ = begin;
+    return {};
   }
 
   // The longest number that ends here.

@@ -14,6 +14,7 @@ namespace parlour::adapters::nlu {
 struct Amount {
   std::optional<std::int64_t> number; // none: not said
   bool more = false;                  // so many in addition
+  bool by_article = false;            // "a coffee"
 };
 
 // Before the value that begins at the token `position`. What stands before the

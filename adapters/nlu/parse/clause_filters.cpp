@@ -245,27 +245,54 @@ void leave_out_half_clauses(std::vector<Island>& islands,
   });
 }
 
+namespace {
+
+// What somebody does who only tells or asks: "did you know that I have …".
+bool is_telling(std::string_view word) {
+  return is_one_of(word, {"say", "tell", "know", "hear", "see", "mention",
+                          "happen", "notice", "get", "go"});
+}
+
+// What is asked with "did", "why did", but not told with "I did".
+bool asks_with_did(const Utterance& utterance, std::uint32_t did) {
+  const auto& tokens = utterance.tokens.list;
+  return tokens[did].word == "did" &&
+         (did == 0 || tokens[did].before != Break::none ||
+          utterance.filler[did - 1] || is_asking_word(tokens[did - 1].word)) &&
+         !(did + 2 < tokens.size() && is_telling(tokens[did + 2].word));
+}
+
+} // namespace
+
 void leave_out_past_orders(std::vector<Island>& islands,
                            const Utterance& utterance, const Schema& schema) {
-  const auto& tokens = utterance.tokens.list;
-  // "Why did …", "did …", but not "I did …".
-  const auto asks = [&](std::uint32_t did, std::uint32_t begin) {
-    return tokens[did].word == "did" &&
-           (did == begin || utterance.filler[did - 1] ||
-            is_asking_word(tokens[did - 1].word));
+  const auto is_task = [&](TopicNumber topic) {
+    return !schema.at(topic).enquiry;
   };
-  leave_out(islands, [&](const Island& island) {
-    if (!island.is_content() || island.rule->bare || island.act.empty() ||
-        std::ranges::any_of(island.topics, [&](TopicNumber topic) {
-          return schema.at(topic).enquiry;
+  const auto is_order = [&](const Island& island) {
+    return island.is_content() && !island.rule->bare && !island.act.empty() &&
+           std::ranges::any_of(island.topics, is_task);
+  };
+  // "did I leave it", "did the light go on": with its subject, or behind it.
+  const auto is_past = [&](const Island& island) {
+    if (!is_order(island) || island.begin == 0)
+      return false;
+    if (asks_with_did(utterance, island.begin - 1))
+      return island.act == "request";
+    return island.begin > 1 && asks_with_did(utterance, island.begin - 2);
+  };
+  std::vector<TokenRange> past;
+  for (const auto& island : islands)
+    if (is_past(island))
+      past.push_back({island.begin, island.end});
+  std::erase_if(islands, [&](Island& island) {
+    if (!is_order(island) ||
+        std::ranges::none_of(past, [&](const TokenRange& order) {
+          return order.begin <= island.begin && island.begin < order.end;
         }))
       return false;
-    const auto clause = stretch_of(
-        utterance.tokens, {island.begin, island.begin + 1}, Break::comma);
-    for (auto did = clause.begin; did < island.begin; ++did)
-      if (asks(did, clause.begin))
-        return true;
-    return false;
+    std::erase_if(island.topics, is_task);
+    return island.topics.empty();
   });
 }
 

@@ -1,6 +1,7 @@
 #include "adapters/nlu/parse/island_filters.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 
 #include "adapters/nlu/forms/calendar.hpp"
@@ -38,6 +39,13 @@ bool is_unit(std::string_view word) {
 // "six of us"
 bool is_group(std::string_view word) {
   return is_one_of(word, {"us", "them", "you"});
+}
+
+// Names of slots and topics have capital letters.
+bool is_same_word(std::string_view word, std::string_view name) {
+  return std::ranges::equal(word, name, [](char left, char right) {
+    return left == std::tolower(static_cast<unsigned char>(right));
+  });
 }
 
 bool is_guess(const Span& span) {
@@ -298,21 +306,37 @@ void leave_out_counts(std::vector<Island>& islands, const Utterance& utterance,
   std::erase_if(islands, is_counted);
 }
 
-void leave_out_small_numbers(std::vector<Island>& islands, const Spans& spans,
+void leave_out_small_numbers(std::vector<Island>& islands,
+                             const Utterance& utterance, const Spans& spans,
                              const Schema& schema, const Context& context) {
-  const auto is_small = [&](const Fill& fill, TopicNumber topic) {
-    const auto* slot = schema.at(topic).find(fill.slot);
+  // "My card number is 305": who says what it is learns that it is wrong.
+  const auto is_named = [&](const Island& island, const std::string& slot,
+                            const std::string& topic) {
+    for (auto token = island.begin; token < island.end; ++token) {
+      const auto& word = utterance.tokens.list[token].word;
+      if (word == "number" || is_same_word(word, slot) ||
+          is_same_word(word, topic))
+        return true;
+    }
+    return false;
+  };
+  const auto is_small = [&](const Island& island, const Fill& fill,
+                            TopicNumber number) {
+    const auto& topic = schema.at(number);
+    const auto* slot = topic.find(fill.slot);
     const bool is_asked =
-        topic == context.asked_topic && fill.slot == context.asked_slot;
+        number == context.asked_topic && fill.slot == context.asked_slot;
     return slot && slot->fewest > 0 && !is_asked && fill.span &&
            is_form(spans[*fill.span].entity) &&
-           spans[*fill.span].value.integer_or(slot->fewest) < slot->fewest;
+           spans[*fill.span].value.integer_or(slot->fewest) < slot->fewest &&
+           !is_named(island, slot->name, topic.name);
   };
   std::erase_if(islands, [&](Island& island) {
     const bool content = island.is_content();
     std::erase_if(island.topics, [&](TopicNumber topic) {
       return std::ranges::any_of(island.fills, [&](const Fill& fill) {
-        return is_small(fill, fill.topic == no_topic ? topic : fill.topic);
+        return is_small(island, fill,
+                        fill.topic == no_topic ? topic : fill.topic);
       });
     });
     return content && !island.is_content();

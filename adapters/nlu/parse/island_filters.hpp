@@ -51,9 +51,10 @@ void leave_out_acts_inside(std::vector<Island>& islands,
 void leave_out_counts(std::vector<Island>& islands, const Utterance& utterance,
                       const Spans& spans);
 
-// Takes out numbers that are too small for their slot, unless it is asked for:
-// "thirty roses" is no booking of four digits (Schema::Slot::fewest).
-void leave_out_small_numbers(std::vector<Island>& islands, const Spans& spans,
+// Takes out numbers that are too small for their slot, unless it is asked for
+// or named: "thirty roses" is no booking of four digits (Schema::Slot::fewest).
+void leave_out_small_numbers(std::vector<Island>& islands,
+                             const Utterance& utterance, const Spans& spans,
                              const Schema& schema, const Context& context);
 
 // A value that is all that was said means something, though its words are plain

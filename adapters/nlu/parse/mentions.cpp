@@ -88,7 +88,7 @@ private:
 
   bool is_covered(std::uint32_t token) const {
     return std::ranges::any_of(islands_, [&](const Island& island) {
-      return island.begin <= token && token < island.end;
+      return island.score > 0 && island.begin <= token && token < island.end;
     });
   }
 

@@ -47,18 +47,19 @@ bool is_deed(const Tokens& tokens, std::size_t position) {
 
 // Behind these, "one" is a number: "my room one".
 bool is_numbered(std::string_view word) {
-  static constexpr std::array<std::string_view, 12> words{
-      "room", "number", "level",   "floor", "table", "ward",
-      "gate", "card",   "channel", "line",  "block", "unit"};
+  static constexpr std::array<std::string_view, 20> words{
+      "room", "number",  "level", "floor",    "table",    "ward",   "gate",
+      "card", "channel", "line",  "block",    "unit",     "tower",  "option",
+      "lift", "bus",     "bed",   "terminal", "platform", "counter"};
   return has(words, word);
 }
 
 // "one of those", "this one", "I've got one", "the little one": no number.
-bool is_pronoun(const Tokens& tokens, std::size_t position) {
+bool is_pronoun(const Utterance& utterance, std::size_t position) {
   static constexpr std::array<std::string_view, 10> before{
       "this", "that", "which", "another", "other",
       "got",  "buy",  "new",   "any",     "the"};
-  const auto& list = tokens.list;
+  const auto& list = utterance.tokens.list;
   if (list[position].word != "one")
     return false;
   if (position + 1 < list.size() && list[position + 1].word == "of")
@@ -69,8 +70,9 @@ bool is_pronoun(const Tokens& tokens, std::size_t position) {
   return has(before, last) ||
          (position > 1 && list[position - 1].before == Break::none &&
           list[position].before == Break::none &&
-          is_determiner(list[position - 2].word) && !is_numbered(last) &&
-          !number_at(tokens, position - 1));
+          is_determiner(list[position - 2].word) &&
+          !utterance.function[position - 1] && !is_numbered(last) &&
+          !number_at(utterance.tokens, position - 1));
 }
 
 bool is_number_like(const Tokens& tokens, std::size_t position) {
@@ -125,7 +127,7 @@ void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
         continue;
       auto found = form_at(form, utterance_.tokens, at, now);
       if (!found || found->length == 0 ||
-          (found->length == 1 && is_pronoun(utterance_.tokens, at)))
+          (found->length == 1 && is_pronoun(utterance_, at)))
         continue;
       if (form == Form::time)
         lean_on_time_before(found->value);

@@ -33,10 +33,16 @@ const Words& states_of_mind() {
   return words;
 }
 
-// How something is not to be done, or what is not to be said about it.
+// How something is not to be done: "don't spill it", "don't be late".
 const Words& warnings() {
-  static const Words words{"ask",   "laugh", "panic", "hurry", "rush",
-                           "argue", "spill", "shout", "fuss",  "be"};
+  static const Words words{"laugh", "panic", "hurry", "rush",
+                           "argue", "spill", "shout", "fuss"};
+  return words;
+}
+const Words& manners() {
+  static const Words words{"late",  "long",   "slow",       "afraid", "shy",
+                           "silly", "stupid", "ridiculous", "rude",   "so",
+                           "too",   "like",   "such",       "a",      "an"};
   return words;
 }
 
@@ -115,9 +121,12 @@ public:
   }
   // "Don't be late", "don't tell me that …"
   bool warns(std::size_t token) const {
-    return is_not(word(token)) &&
-           (warnings().contains(word(token + 1)) ||
-            (word(token + 1) == "tell" && word(token + 2) == "me"));
+    const auto what = word(token + 1);
+    return word(token) == "not" && word(token - 1) == "do" &&
+           !persons().contains(word(token - 2)) &&
+           (warnings().contains(what) ||
+            (what == "be" && manners().contains(word(token + 2))) ||
+            ((what == "tell" || what == "ask") && word(token + 2) == "me"));
   }
   // "… No taxi then.": the last sentence, if it is short and says that
   // something is settled. "No hurry", "no hot water" tell something.
@@ -136,14 +145,21 @@ private:
   // "I did not ask you to get it", "nobody told you to". "Did I not ask you to
   // get it?" wants it still.
   bool takes_back(std::size_t token) const {
-    static const Words words{"ask",  "asked",  "tell",  "told",
-                             "want", "wanted", "order", "ordered"};
+    static const Words words{"ask",   "asked", "tell",    "told",  "want",
+                             "wants", "order", "ordered", "wanted"};
+    if (!words.contains(word(token)) || word(token + 1) != "you" ||
+        word(token + 2) != "to")
+      return false;
     const auto before = word(token - 1);
-    return words.contains(word(token)) && word(token + 1) == "you" &&
-           word(token + 2) == "to" &&
-           (before == "nobody" ||
-            (is_not(before) && !subjects().contains(word(token - 2))) ||
-            before == "never");
+    const bool no_one = before == "one" && word(token - 2) == "no";
+    if (before == "nobody" || no_one)
+      return !reproaches(word(token - (no_one ? 3 : 2)));
+    return (is_not(before) && !subjects().contains(word(token - 2))) ||
+           before == "never";
+  }
+  // "Did nobody tell you to …?"
+  static bool reproaches(std::string_view word) {
+    return word == "did" || word == "has" || word == "have" || word == "why";
   }
 
   // Empty before the first token and behind the last one. The index may wrap

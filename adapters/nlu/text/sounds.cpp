@@ -19,22 +19,22 @@ constexpr std::size_t few_consonants = 3;
 // word others as well.
 constexpr LetterGroups beginnings(
     std::to_array<LetterGroup>({{"kn", "n"}, {"wr", "r"}, {"gh", "g"}}));
-constexpr LetterGroups groups(std::to_array<LetterGroup>({{"tch", "c"},
-                                                          {"sch", "x"},
-                                                          {"ph", "f"},
-                                                          {"gh", ""},
-                                                          {"ck", "k"},
-                                                          {"ch", "c"},
-                                                          {"sh", "x"},
-                                                          {"zh", "j"},
-                                                          {"th", "t"},
-                                                          {"wh", "w"},
-                                                          {"kh", "k"},
-                                                          {"qu", "k"},
-                                                          {"ts", "s"},
-                                                          {"tz", "s"},
-                                                          {"dg", "j"},
-                                                          {"ng", "n"}}));
+constexpr LetterGroups letter_groups(std::to_array<LetterGroup>({{"tch", "c"},
+                                                                 {"sch", "x"},
+                                                                 {"ph", "f"},
+                                                                 {"gh", ""},
+                                                                 {"ck", "k"},
+                                                                 {"ch", "c"},
+                                                                 {"sh", "x"},
+                                                                 {"zh", "j"},
+                                                                 {"th", "t"},
+                                                                 {"wh", "w"},
+                                                                 {"kh", "k"},
+                                                                 {"qu", "k"},
+                                                                 {"ts", "s"},
+                                                                 {"tz", "s"},
+                                                                 {"dg", "j"},
+                                                                 {"ng", "n"}}));
 
 bool is_vowel(char letter) {
   constexpr LetterSet vowels("aeiouy");
@@ -83,7 +83,7 @@ private:
     const auto rest = word_.substr(at_);
     const auto* found = at_ == 0 ? beginnings.find(rest) : nullptr;
     if (!found)
-      found = groups.find(rest);
+      found = letter_groups.find(rest);
     if (!found)
       return false;
     at_ += found->letters.size();

@@ -67,7 +67,7 @@ const Words& function_words() {
 }
 
 // Longer phrases need not come first: every phrase that matches is marked.
-constexpr std::array<std::string_view, 34> fillers{"on second thoughts",
+constexpr std::array<std::string_view, 33> fillers{"on second thoughts",
                                                    "on second thought",
                                                    "er",
                                                    "erm",
@@ -98,7 +98,6 @@ constexpr std::array<std::string_view, 34> fillers{"on second thoughts",
                                                    "just",
                                                    "basically",
                                                    "damn",
-                                                   "damned",
                                                    "goddamn",
                                                    "flipping"};
 

@@ -246,7 +246,7 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
   leave_out_pieces_of_values(islands, spans);
   leave_out_counts(islands, utterance, spans);
   leave_out_past_orders(islands, utterance, schema);
-  leave_out_small_numbers(islands, spans, schema, context);
+  leave_out_small_numbers(islands, utterance, spans, schema, context);
   leave_out_rivals_of_answers(islands, spans, context);
   leave_out_lookalikes(islands, utterance, spans, context);
   leave_out_unlikely_values(islands, utterance, spans, schema, context);

@@ -66,11 +66,12 @@ bool ManyValues::remove(const Value& value, const Value& amount) {
   const auto found = find(items_, value);
   if (found == items_.end())
     return false;
-  const auto left = (*found)[amount_key].number_or(1) - amount.number_or(0);
-  if (amount.is_unknown() || left <= 0)
+  const auto& held = (*found)[amount_key];
+  const auto left = less(held.is_unknown() ? Value(1) : held, amount);
+  if (amount.is_unknown() || left.number_or(0) <= 0)
     items_.erase(found);
   else
-    *found = item(value, less((*found)[amount_key], amount));
+    *found = item(value, left);
   return true;
 }
 

@@ -26,7 +26,7 @@ protected:
   void happens(const Who& who, Event event, const Cause& cause = {}) {
     events.happens(who, event, cause);
     while (const auto made = events.next())
-      std::visit([this](const auto& one) { take(one); }, *made);
+      std::visit([this](const auto& one) { this->take(one); }, *made);
   }
 
   void take(const InstanceDeeds& what) {

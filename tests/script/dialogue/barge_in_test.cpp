@@ -221,7 +221,7 @@ TEST_F(BargeIn, WhoBreaksInIsAnswered) {
   EXPECT_EQ(world_->said(), Texts{});
 }
 
-constexpr const char* asking = R"xml(
+constexpr const char* asking_script = R"xml(
   <topic name="Taxi" initiative="system">
     <slot name="Place" type="Functional" question="Where?"/></topic>)xml";
 
@@ -239,7 +239,7 @@ protected:
 };
 
 TEST_F(Unclear, SpeechIsAskedForAgain) {
-  World world(asking);
+  World world(asking_script);
   listens(world);
   rejects(world);
   EXPECT_THAT(world.said(), testing::ElementsAre(testing::HasSubstr("Where?")));
@@ -261,7 +261,7 @@ TEST_F(Unclear, SpeechMayBeHandled) {
 }
 
 TEST_F(Unclear, NothingIsWithoutSpeech) {
-  World world(asking);
+  World world(asking_script);
   listens(world);
   world.event("Keyboard", "Rejected", {"no words"});
   EXPECT_EQ(world.said(), Texts{});

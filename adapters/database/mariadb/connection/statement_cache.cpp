@@ -6,8 +6,8 @@
 
 namespace parlour::adapters {
 
-void PreparedStatement::Closing::operator()(st_mysql_stmt* statement) const {
-  mysql_stmt_close(statement);
+void PreparedStatement::Closing::operator()(st_mysql_stmt* handle) const {
+  mysql_stmt_close(handle);
 }
 
 PreparedStatement* StatementCache::find(std::string_view sql) {

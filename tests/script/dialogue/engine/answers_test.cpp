@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char* topics = R"xml(
+constexpr const char* own_topics = R"xml(
   <topic name="Order">
     <slot name="What" type="Functional" question="What?"/>
     <completed><speak param="{this.What} it is."/></completed>
@@ -28,7 +28,7 @@ struct Listener : Speaker {
   explicit Listener(const std::string& events, const std::string& others = "",
                     WorldOptions options = {})
       : Speaker("<handler name='H'><messages><component>" + events +
-                    "</component></messages></handler>" + topics + others,
+                    "</component></messages></handler>" + own_topics + others,
                 std::move(options)) {}
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "adapters/nlu/acts/courtesies.hpp"
+#include "adapters/nlu/acts/refusals.hpp"
 #include "adapters/nlu/parse/question_words.hpp"
 #include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/negation.hpp"
@@ -219,42 +220,8 @@ private:
     if (is_plain(act, "cancel") || is_plain(act, "abandon"))
       return word(act.begin) != "stop" && leaves_known_words(act);
     return is_plain(act, "deny") && !act.negated &&
-           (refuses_another(act) || only_warns(act) ||
+           (refuses_nothing(act, acts_, utterance_, context_) ||
             (has(denials_, act.begin) && leaves_words(utterance_.size())));
-  }
-
-  // "Don't spill it", but not "no, don't spill it", and nowhere where a yes is
-  // asked for.
-  bool only_warns(const BuiltAct& act) const {
-    return context_.confirms.empty() && word(act.begin) != "no" &&
-           is_warning(utterance_.tokens, act.end - 1);
-  }
-
-  // "Heat the hall, and don't you dare open the door": refused is what nobody
-  // offers, not what is wanted. "Open the door, no, don't open it" is.
-  bool refuses_another(const BuiltAct& act) const {
-    if (!context_.confirms.empty() || context_.asked_topic != no_topic ||
-        context_.waiting_topic != no_topic ||
-        !is_one_of(word(act.begin), {"do", "never"}))
-      return false;
-    bool names_another = false;
-    for (auto token = act.begin; token < act.end; ++token) {
-      if (is_one_of(word(token), {"it", "that", "them", "this", "yet"}))
-        return false;
-      names_another |= utterance_.has_content(token, token + 1) &&
-                       !is_said_before(token, act.begin);
-    }
-    return names_another &&
-           std::ranges::any_of(acts_, [&](const BuiltAct& other) {
-             return other.topic != no_topic && other.end <= act.begin;
-           });
-  }
-
-  bool is_said_before(std::size_t token, std::size_t end) const {
-    for (std::size_t at = 0; at < end; ++at)
-      if (word(at) == word(token))
-        return true;
-    return false;
   }
 
   // "I don't know him" asks for no help.

@@ -266,12 +266,14 @@ bool asks_with_did(const Utterance& utterance, std::uint32_t did) {
 
 void leave_out_past_orders(std::vector<Island>& islands,
                            const Utterance& utterance, const Schema& schema) {
-  const auto is_task = [&](TopicNumber topic) {
-    return !schema.at(topic).enquiry;
+  const auto says_what = [](const Island& island) {
+    return island.is_content() && !island.rule->bare && !island.act.empty();
   };
   const auto is_order = [&](const Island& island) {
-    return island.is_content() && !island.rule->bare && !island.act.empty() &&
-           std::ranges::any_of(island.topics, is_task);
+    return says_what(island) &&
+           std::ranges::none_of(island.topics, [&](TopicNumber topic) {
+             return schema.at(topic).enquiry;
+           });
   };
   // "did I leave it", "did the light go on": with its subject, or behind it.
   const auto is_past = [&](const Island& island) {
@@ -285,14 +287,12 @@ void leave_out_past_orders(std::vector<Island>& islands,
   for (const auto& island : islands)
     if (is_past(island))
       past.push_back({island.begin, island.end});
-  std::erase_if(islands, [&](Island& island) {
-    if (!is_order(island) ||
-        std::ranges::none_of(past, [&](const TokenRange& order) {
-          return order.begin <= island.begin && island.begin < order.end;
-        }))
-      return false;
-    std::erase_if(island.topics, is_task);
-    return island.topics.empty();
+  // Nor is it another order in some of the same words.
+  std::erase_if(islands, [&](const Island& island) {
+    return says_what(island) &&
+           std::ranges::any_of(past, [&](const TokenRange& order) {
+             return order.begin <= island.begin && island.begin < order.end;
+           });
   });
 }
 

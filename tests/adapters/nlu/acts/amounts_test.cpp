@@ -36,6 +36,10 @@ TEST(Amounts, AreReadBackwardsFromTheValue) {
       {"another glass of water", "1 more"},
       {"take one of the burgers", "1"},
       {"two of my eggs", "2"},
+      {"2 of your eggs", "2"},
+      {"one of the two eggs", "1"},
+      {"a couple of the eggs", "2"},
+      {"the two eggs", "2"},
       {"some of the eggs", ""},
       // what belongs to something else
       {"room two, coffee", ""},

@@ -108,6 +108,10 @@ TEST(ClauseFilters, LeaveOutOrdersThatAreAskedAbout) {
   EXPECT_EQ(orders("I did need a taxi"), 1U);
   EXPECT_EQ(orders("where did you say, need a taxi"), 1U);
   EXPECT_EQ(orders("did you say is the bank open"), 1U); // no order
+  // Further orders, and what is only told.
+  EXPECT_EQ(orders("where did you go I need a taxi"), 1U);
+  EXPECT_EQ(orders("did you know need a taxi"), 1U);
+  EXPECT_EQ(orders("did I need a taxi or need a taxi"), 1U);
 }
 
 } // namespace

@@ -177,7 +177,7 @@ TEST(IslandFilters, LeaveOutActsThatArePartsOfWhatIsAsked) {
 constexpr const char* numbers = R"(
   public <room> = room for @number {Room} {act=inform} {topic=Guest};
   public <guests> = (@number {Guests}) people {act=inform} {topic=Guest};
-  public <card> = for @number {Card} {act=inform} {topic=Guest};)";
+  public <card> = [card] for @number {Card} {act=inform} {topic=Guest};)";
 
 // What is understood of a guest, whose card has five digits.
 std::string of_guest(const char* text, const char* asked = "") {
@@ -210,6 +210,7 @@ TEST(IslandFilters, LeaveOutNumbersThatAreTooSmall) {
   EXPECT_EQ(of_guest("for 20417"), "inform Guest Card=20417");
   EXPECT_EQ(of_guest("for 2041"), "inform Guest Card=2041"); // a mistake
   EXPECT_EQ(of_guest("for six"), "");
+  EXPECT_EQ(of_guest("card for six"), "inform Guest Card=6"); // is named
   EXPECT_EQ(of_guest("for six", "Guest.Card"), "~inform Guest Card=6");
 }
 

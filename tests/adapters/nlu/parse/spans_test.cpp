@@ -106,6 +106,8 @@ TEST(Spans, OneIsNoNumberBehindAnAdjective) {
   EXPECT_TRUE(is_number("in room one", 2));
   EXPECT_TRUE(is_number("the room one", 2));
   EXPECT_TRUE(is_number("one", 0));
+  EXPECT_TRUE(is_number("do that at one", 3));
+  EXPECT_TRUE(is_number("move this to one", 3));
   EXPECT_TRUE(is_number("the two", 1));
 }
 

@@ -76,7 +76,8 @@ TEST(Negation, AWarningIsNoOrder) {
         "I don't drink coffee", "people don't launch it here"})
     EXPECT_FALSE(is_order(text)) << text;
   for (const auto* text :
-       {"we don't want it", "I don't need the rocket", "don't tell her"})
+       {"we don't want it", "I don't need the rocket", "don't tell her",
+        "don't ask him", "it must not be turned on", "it should not be moved"})
     EXPECT_TRUE(is_order(text)) << text;
 }
 
@@ -85,6 +86,8 @@ TEST(Negation, WhatNobodyAskedForIsNotOrdered) {
        {"I didn't ask you to launch it", "I never told you to launch it",
         "nobody asked you to launch it"})
     EXPECT_TRUE(is_order(text)) << text;
+  EXPECT_TRUE(is_order("no one told you to launch it"));
+  EXPECT_FALSE(is_order("did nobody tell you to launch it"));
   for (const auto* text : {"did I not ask you to launch it", "who asked you",
                            "I asked you to launch it"})
     EXPECT_FALSE(is_order(text)) << text;

@@ -335,18 +335,5 @@ TEST(NluEngine, SaysWhy) {
   EXPECT_GE(made.score, 0.9);
 }
 
-TEST(NluEngine, WhoRefusesWhatNobodyOffersRefusesNothingElse) {
-  auto model = sample_model();
-  model.grammars[0].text += "public <never> = never zork windows {act=deny};";
-  const auto built =
-      NluEngine::build(model, sample_column, {0.4, {generic_grammar()}});
-  ASSERT_TRUE(built);
-  const auto heard = [&](const char* text) {
-    return summary(built->understand(text, sample_context("")).acts);
-  };
-  EXPECT_EQ(heard("I need a taxi, and never zork windows"), "inform Taxi");
-  EXPECT_EQ(heard("never zork windows"), "deny");
-}
-
 } // namespace
 } // namespace parlour::adapters::nlu::test

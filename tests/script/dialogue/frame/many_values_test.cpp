@@ -60,6 +60,9 @@ TEST(ManyValues, AreFewer) {
   values = ManyValues(Value(List{item("tea", 3), item("cake", 1)}));
   EXPECT_TRUE(values.remove("tea", 4));
   EXPECT_EQ(values.take(), Value(List{item("cake", 1)}));
+  values = ManyValues(Value(List{Map{{"value", "tea"}}})); // no amount: 1
+  EXPECT_TRUE(values.remove("tea", 0.5));
+  EXPECT_EQ(values.take().at(0)["amount"], Value(0.5));
 }
 
 } // namespace

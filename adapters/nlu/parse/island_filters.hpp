@@ -45,18 +45,6 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
 void leave_out_acts_inside(std::vector<Island>& islands,
                            const Utterance& utterance, const Spans& spans);
 
-// Takes out what ends in a number of which the next word says what it counts:
-// "room for two" in "a conference room for two hours". An answer may be said
-// with its unit.
-void leave_out_counts(std::vector<Island>& islands, const Utterance& utterance,
-                      const Spans& spans);
-
-// Takes out numbers that are too small for their slot, unless it is asked for
-// or named: "thirty roses" is no booking of four digits (Schema::Slot::fewest).
-void leave_out_small_numbers(std::vector<Island>& islands,
-                             const Utterance& utterance, const Spans& spans,
-                             const Schema& schema, const Context& context);
-
 // A value that is all that was said means something, though its words are plain
 // ones: "Coffee?". Not a number or time: without a question they are anything.
 void trust_whole_values(std::vector<Island>& islands,

@@ -18,8 +18,8 @@ const Words& no_orders() {
 
 // Words that after "not" make a question: "do you not …", "is it not …".
 const Words& subjects() {
-  static const Words words{"you", "i",  "we",   "there",
-                           "it",  "he", "they", "she"};
+  static const Words words{"you", "i",    "we",  "there", "it",
+                           "he",  "they", "she", "people"};
   return words;
 }
 
@@ -48,11 +48,6 @@ const Words& manners() {
 
 // Who does not do something, unless it is what somebody wants: "you don't
 // happen to know …", but "I don't want …" and "you don't have to …".
-const Words& persons() {
-  static const Words words{"i",      "we", "you", "they",
-                           "people", "he", "she", "it"};
-  return words;
-}
 const Words& wishes() {
   static const Words words{"want",  "need",    "like", "wish",
                            "think", "require", "have"};
@@ -104,7 +99,7 @@ public:
   // "never". "I never heard back" tells something.
   bool is_order(std::size_t token) const {
     const auto before = word(token - 1);
-    if (before == "do" && persons().contains(word(token - 2)) &&
+    if (before == "do" && subjects().contains(word(token - 2)) &&
         !wishes().contains(word(token + 1)))
       return false;
     return (word(token) == "never" && !is_past(word(token + 1))) ||
@@ -123,7 +118,7 @@ public:
   bool warns(std::size_t token) const {
     const auto what = word(token + 1);
     return word(token) == "not" && word(token - 1) == "do" &&
-           !persons().contains(word(token - 2)) &&
+           !subjects().contains(word(token - 2)) &&
            (warnings().contains(what) ||
             (what == "be" && manners().contains(word(token + 2))) ||
             ((what == "tell" || what == "ask") && word(token + 2) == "me"));

@@ -20,6 +20,7 @@
 #include "adapters/nlu/parse/clause_filters.hpp"
 #include "adapters/nlu/parse/island_filters.hpp"
 #include "adapters/nlu/parse/mentions.hpp"
+#include "adapters/nlu/parse/number_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/parse/preferences.hpp"
 #include "adapters/nlu/parse/unmatched_values.hpp"

@@ -28,12 +28,12 @@ InstanceState LifeEvents::state_of(InstanceId id) const {
 
 void LifeEvents::happens(InstanceId id, InstanceEvent event,
                          const Cause& cause) {
-  raised_.push_back(OfInstance{id, event, cause});
+  raised_.emplace_back(OfInstance{id, event, cause});
 }
 
 void LifeEvents::happens(const ServicePointer& service, ServiceEvent event,
                          const Cause& cause) {
-  raised_.push_back(OfService{service, event, cause});
+  raised_.emplace_back(OfService{service, event, cause});
 }
 
 // What a transition has raised comes before what was queued already.

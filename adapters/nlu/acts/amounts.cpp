@@ -76,11 +76,10 @@ private:
       --at_;
     if (ends_number()) // "a couple of"
       return;
-    if (!take("of") || at_ <= floor_ || !touches())
-      at_ = begin;
-    else if (has(measures, before()))
+    const bool is_of = take("of") && at_ > floor_ && touches();
+    if (is_of && has(measures, before()))
       --at_;
-    else if (!ends_number())
+    else if (!is_of || !ends_number())
       at_ = begin;
   }
 

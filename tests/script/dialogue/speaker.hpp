@@ -55,7 +55,7 @@ public:
     message.command = "RecognitionResult";
     message.params = {words, 1};
     if (!alternatives.empty())
-      message.params.push_back(std::move(alternatives));
+      message.params.emplace_back(std::move(alternatives));
     message.session = "s1";
     take(received(std::move(message)));
   }

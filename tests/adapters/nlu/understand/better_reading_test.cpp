@@ -41,11 +41,12 @@ Fill value(const std::string& slot, const Spans& spans, std::size_t begin) {
   return {slot, 0, found.front(), {}, span.begin, span.end};
 }
 
+const Context nothing_known;
+
 bool leaves_open(const std::vector<BuiltAct>& acts,
                  const Utterance& utterance = {}) {
-  const Context context;
   const auto spans = spans_of(utterance);
-  return BetterReading(schema(), context, utterance, spans, true)
+  return BetterReading(schema(), nothing_known, utterance, spans, true)
       .leaves_open(acts);
 }
 
@@ -207,7 +208,7 @@ TEST(BetterReading, KnowsMoreThanAValueThatThereIsNot) {
   ASSERT_FALSE(open.empty());
   auto found = act(0, 0.95);
   found.end = 4;
-  const BetterReading better(schema(), {}, utterance, spans, true);
+  const BetterReading better(schema(), nothing_known, utterance, spans, true);
   EXPECT_FALSE(better.leaves_open({found}));
   found.fills = {{"Host", 0, open.front(), {}, 3, 4}};
   EXPECT_TRUE(better.leaves_open({found}));
@@ -342,7 +343,7 @@ TEST(BetterReading, TakesThePlaceOfACorrectionOfNothing) {
   const auto entity = schema().at(0).find("Host")->entity;
   const auto opened = spans.open(entity, 1, 1);
   ASSERT_FALSE(opened.empty());
-  const BetterReading reading(schema(), {}, utterance, spans, true);
+  const BetterReading reading(schema(), nothing_known, utterance, spans, true);
   auto corrects = act(0, 0.97, true);
   corrects.act = "correct";
   std::vector<BuiltAct> acts{corrects};
@@ -362,7 +363,7 @@ TEST(BetterReading, KeepsAValueThatTheMeaningHas) {
     auto acts = said;
     auto hypothesis = act(0, 0.95);
     hypothesis.fills = {{"Host", 0, {}, Value(meant), 0, 5}};
-    return BetterReading(schema(), {}, utterance, spans, true)
+    return BetterReading(schema(), nothing_known, utterance, spans, true)
         .choose(acts, hypothesis);
   };
   EXPECT_TRUE(takes("Anand Menon"));
@@ -388,7 +389,7 @@ TEST(BetterReading, LosesNoValueOfNoTopic) {
   const auto spans = spans_of(utterance);
   std::vector<BuiltAct> acts{act(no_topic, 0.5)};
   acts[0].fills = {value("Host", spans, 2)};
-  EXPECT_FALSE(BetterReading(schema(), {}, utterance, spans, true)
+  EXPECT_FALSE(BetterReading(schema(), nothing_known, utterance, spans, true)
                    .choose(acts, act(0, 0.9)));
 }
 

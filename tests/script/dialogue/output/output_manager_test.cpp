@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char* asking = R"xml(
+constexpr const char* asks_first = R"xml(
   <topic name="T"><slot name="S" type="Functional" question="S?"/>
     <completed><speak param="Done."/></completed></topic>)xml";
 
@@ -47,7 +47,7 @@ struct Worded : World {
 };
 
 TEST(OutputManager, WordsOfAComponentByDefault) {
-  Worded world(asking);
+  Worded world(asks_first);
   world.say(inform("T", {}));
   EXPECT_EQ(world.said(), Texts{});
   EXPECT_EQ(world.posted(), Texts{"NLG.Generate(S?)"});
@@ -56,7 +56,7 @@ TEST(OutputManager, WordsOfAComponentByDefault) {
 }
 
 TEST(OutputManager, WhoListensToEverythingDoesNotSwallowWords) {
-  Worded world(std::string(asking) + R"xml(
+  Worded world(std::string(asks_first) + R"xml(
     <handler name="N"><messages><component>
       <on source="*" event="*"><log param="{_COMMAND}"/></on>
     </component></messages></handler>)xml");
@@ -66,7 +66,7 @@ TEST(OutputManager, WhoListensToEverythingDoesNotSwallowWords) {
 }
 
 TEST(OutputManager, WordsByAHandler) {
-  Worded world(std::string(asking) + speaking);
+  Worded world(std::string(asks_first) + speaking);
   world.say(inform("T", {}));
   world.word();
   EXPECT_EQ(world.said(), Texts{"(S?)"});
@@ -82,7 +82,7 @@ constexpr const char* listening = R"xml(
 
 // The handler's own words fail as well: it is told once in a robot turn.
 TEST(OutputManager, APhraseThatFailsIsAnErrorAndAnotherIsSaid) {
-  World world(std::string(asking) + listening);
+  World world(std::string(asks_first) + listening);
   world.fails_to_word = "thank";
   const Texts told{"[thank]", "no number in phrases.xml:7"};
   world.say("thank");
@@ -94,7 +94,7 @@ TEST(OutputManager, APhraseThatFailsIsAnErrorAndAnotherIsSaid) {
 }
 
 TEST(OutputManager, TheUserDoesNotHearOfAPhraseThatFails) {
-  World world(asking);
+  World world(asks_first);
   world.fails_to_word = "thank";
   world.say("thank");
   EXPECT_EQ(world.said(), Texts{"[thank]"});
@@ -102,7 +102,7 @@ TEST(OutputManager, TheUserDoesNotHearOfAPhraseThatFails) {
 }
 
 TEST(OutputManager, AComponentTellsOfAPhraseThatFails) {
-  Worded world(std::string(asking) + listening);
+  Worded world(std::string(asks_first) + listening);
   world.say(inform("T", {}));
   const auto number = world.messages.back().correlation;
   world.event("Phrases", "PhraseFailed", {"no number", "a.xml", 3}, number);
@@ -114,14 +114,14 @@ TEST(OutputManager, AComponentTellsOfAPhraseThatFails) {
 }
 
 TEST(OutputManager, InlineWordsNeedNoTimer) {
-  Worded world(std::string(asking) + speaking, true);
+  Worded world(std::string(asks_first) + speaking, true);
   world.say("thank");
   EXPECT_EQ(world.said(), Texts{"(<thank>)"});
   EXPECT_EQ(world.timers(), 1u); // the session's last only
 }
 
 TEST(OutputManager, AComponentThatBreaksIsGivenUpAtOnce) {
-  Worded world(asking);
+  Worded world(asks_first);
   world.answers = [](const Message& asked) {
     auto reply = Worded::speak(asked);
     reply.command = "Failed";
@@ -134,7 +134,7 @@ TEST(OutputManager, AComponentThatBreaksIsGivenUpAtOnce) {
 }
 
 TEST(OutputManager, WordsDroppedWithChasingEventsAreSpokenAllTheSame) {
-  Worded world(std::string(asking) + R"xml(
+  Worded world(std::string(asks_first) + R"xml(
     <handler name="C"><messages><component><Script><Chase>
       <fire event="Chase"/></Chase></Script><Bell><Rings>
       <fire event="Chase"/></Rings></Bell></component></messages></handler>
@@ -149,7 +149,7 @@ TEST(OutputManager, WordsDroppedWithChasingEventsAreSpokenAllTheSame) {
 }
 
 TEST(OutputManager, AComponentThatIsSilentIsGivenUp) {
-  Worded world(asking);
+  Worded world(asks_first);
   world.say("thank");
   EXPECT_TRUE(world.conversation->waits_for_answer());
   world.advance(10s);
@@ -158,7 +158,7 @@ TEST(OutputManager, AComponentThatIsSilentIsGivenUp) {
 }
 
 TEST(OutputManager, WhatIsReleasedIsSpokenWhereThereIsAVoice) {
-  World world(asking);
+  World world(asks_first);
   world.components["Voice"] = {"TTS"};
   world.say(inform("T", {}));
   EXPECT_EQ(world.said(), Texts{"S?"});
@@ -166,7 +166,7 @@ TEST(OutputManager, WhatIsReleasedIsSpokenWhereThereIsAVoice) {
 }
 
 TEST(OutputManager, OrderIsKeptWhileWordsAreWaitedFor) {
-  Worded world(std::string(asking) + R"xml(
+  Worded world(std::string(asks_first) + R"xml(
     <handler name="B"><messages><component><Bell><Rings>
       <speak param="Ring."/></Rings></Bell></component></messages></handler>
     )xml");
@@ -178,7 +178,7 @@ TEST(OutputManager, OrderIsKeptWhileWordsAreWaitedFor) {
 }
 
 TEST(OutputManager, AWithdrawnQuestionLetsOthersPass) {
-  Worded world(std::string(asking) + R"xml(
+  Worded world(std::string(asks_first) + R"xml(
     <topic name="U"><slot name="R" type="Functional"/>
       <completed><speak param="U done."/></completed></topic>)xml");
   world.say(inform("T", {}));                // its words are never given
@@ -187,7 +187,7 @@ TEST(OutputManager, AWithdrawnQuestionLetsOthersPass) {
 }
 
 TEST(OutputManager, AQuestionWithoutWordsEndsSomewhere) {
-  Worded world(std::string(asking) + R"xml(
+  Worded world(std::string(asks_first) + R"xml(
     <handler name="N"><messages><component><NLG><Speak/></NLG></component>
     </messages></handler>)xml",
                true);
@@ -198,7 +198,7 @@ TEST(OutputManager, AQuestionWithoutWordsEndsSomewhere) {
 }
 
 TEST(OutputManager, SilenceCountsFromTheEndOfTheSpeech) {
-  World world(asking);
+  World world(asks_first);
   world.hold_outputs = true;
   world.say(inform("T", {}));
   EXPECT_EQ(world.said(), Texts{"S?"});
@@ -211,7 +211,7 @@ TEST(OutputManager, SilenceCountsFromTheEndOfTheSpeech) {
 }
 
 TEST(OutputManager, GoodbyeIsSaidBeforeTheEnd) {
-  Worded world(asking);
+  Worded world(asks_first);
   world.say("bye");
   EXPECT_FALSE(world.has_ended);
   world.word();

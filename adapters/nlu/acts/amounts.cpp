@@ -39,8 +39,8 @@ public:
     Amount amount;
     amount.more = take("more") || take("extra") || take("additional");
     amount.number = number();
-    if (const auto some = amount.number ? number_of_these() : std::nullopt)
-      amount.number = some;
+    if (amount.number)
+      amount.number = number_of_these().value_or(*amount.number);
     if (!amount.number && take("another")) {
       amount.number = 1;
       amount.more = true;
@@ -69,11 +69,17 @@ private:
     return true;
   }
 
+  bool take_determiner() {
+    if (at_ <= floor_ || !touches() || !is_determiner(before()))
+      return false;
+    --at_;
+    return true;
+  }
+
   // "cups of", "slices of the"; of "two of my", the number stays.
   void skip_measure() {
     const auto begin = at_;
-    if (at_ > floor_ && touches() && is_determiner(before()))
-      --at_;
+    take_determiner();
     if (ends_number()) // "a couple of"
       return;
     const bool is_of = take("of") && at_ > floor_ && touches();
@@ -93,12 +99,9 @@ private:
   // "one of the two …"
   std::optional<std::int64_t> number_of_these() {
     const auto begin = at_;
-    if (at_ > floor_ && touches() && is_determiner(before())) {
-      --at_;
-      if (take("of"))
-        if (const auto some = number())
-          return some;
-    }
+    if (take_determiner() && take("of"))
+      if (const auto some = number())
+        return some;
     at_ = begin;
     return {};
   }

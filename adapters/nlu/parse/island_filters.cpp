@@ -285,12 +285,8 @@ void trust_whole_values(std::vector<Island>& islands,
 
 void leave_out_parts(std::vector<Island>& islands, const Schema& schema,
                      const Context& context) {
-  std::erase_if(islands, [&](Island& island) {
-    const bool content = island.is_content();
-    std::erase_if(island.topics, [&](TopicNumber topic) {
-      return schema.at(topic).part && !context.goes_on(topic);
-    });
-    return content && !island.is_content();
+  leave_out_topics(islands, [&](const Island&, TopicNumber topic) {
+    return schema.at(topic).part && !context.goes_on(topic);
   });
 }
 

@@ -165,6 +165,10 @@ bool is_open(const Fill& fill, const Spans& spans) {
          (!fill.span || spans[*fill.span].entity == words_entity);
 }
 
+bool is_unmatched(const Fill& fill, const Spans& spans) {
+  return fill.span && spans[*fill.span].unmatched;
+}
+
 bool is_before_sentence(const Island& one, const Island& other,
                         const Tokens& tokens) {
   const auto sentence =

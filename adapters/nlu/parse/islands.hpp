@@ -28,6 +28,9 @@ struct Fill {
 // Whether the fill's value is nothing but words.
 bool is_open(const Fill& fill, const Spans& spans);
 
+// Whether its words stand for a value that there is not.
+bool is_unmatched(const Fill& fill, const Spans& spans);
+
 struct Island {
   const RuleInfo* rule = nullptr;
   std::uint32_t begin = 0; // tokens
@@ -73,6 +76,18 @@ void leave_out(std::vector<Island>& islands, const Predicate& is_out) {
     out.push_back(is_out(island));
   std::size_t at = 0;
   std::erase_if(islands, [&](const Island&) { return out[at++]; });
+}
+
+// Takes from each island the topics of which `is_out(island, topic)` holds, and
+// the island with the last of them.
+template <class Predicate>
+void leave_out_topics(std::vector<Island>& islands, const Predicate& is_out) {
+  std::erase_if(islands, [&](Island& island) {
+    const bool content = island.is_content();
+    std::erase_if(island.topics,
+                  [&](TopicNumber topic) { return is_out(island, topic); });
+    return content && !island.is_content();
+  });
 }
 
 // Whether the one ends before the sentence in which the other begins.

@@ -80,15 +80,11 @@ void leave_out_small_numbers(std::vector<Island>& islands,
            spans[*fill.span].value.integer_or(slot->fewest) < slot->fewest &&
            !is_named(island, slot->name, topic.name);
   };
-  std::erase_if(islands, [&](Island& island) {
-    const bool content = island.is_content();
-    std::erase_if(island.topics, [&](TopicNumber topic) {
-      return std::ranges::any_of(island.fills, [&](const Fill& fill) {
-        return is_small(island, fill,
-                        fill.topic == no_topic ? topic : fill.topic);
-      });
+  leave_out_topics(islands, [&](const Island& island, TopicNumber topic) {
+    return std::ranges::any_of(island.fills, [&](const Fill& fill) {
+      return is_small(island, fill,
+                      fill.topic == no_topic ? topic : fill.topic);
     });
-    return content && !island.is_content();
   });
 }
 

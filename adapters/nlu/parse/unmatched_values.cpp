@@ -82,8 +82,7 @@ bool is_capital(const Fill& fill, const Utterance& utterance) {
 }
 
 bool is_unknown_value(const Fill& fill, const Spans& spans) {
-  return fill.span && spans[*fill.span].unmatched &&
-         is_set(spans[*fill.span].entity);
+  return is_unmatched(fill, spans) && is_set(spans[*fill.span].entity);
 }
 
 class Unlikely {
@@ -253,11 +252,9 @@ void leave_out_rivals_of_answers(std::vector<Island>& islands,
       answers.push_back({fill->begin, fill->end});
   leave_out(islands, [&](const Island& island) {
     return island.is_content() && !context.expects_any(island.topics) &&
-           std::ranges::any_of(island.fills,
-                               [&](const Fill& fill) {
-                                 return fill.span &&
-                                        spans[*fill.span].unmatched;
-                               }) &&
+           std::ranges::any_of(
+               island.fills,
+               [&](const Fill& fill) { return is_unmatched(fill, spans); }) &&
            std::ranges::any_of(answers, [&](const TokenRange& answer) {
              return island.begin < answer.end && answer.begin < island.end;
            });

@@ -108,9 +108,8 @@ bool BetterReading::leaves_words(const BuiltAct& act) const {
 // "Where do I bring the van in?": the words stand for a value that there is
 // not.
 bool BetterReading::knows_no_value(const BuiltAct& act) const {
-  return std::ranges::any_of(act.fills, [&](const Fill& fill) {
-    return fill.span && spans_[*fill.span].unmatched;
-  });
+  return std::ranges::any_of(
+      act.fills, [&](const Fill& fill) { return is_unmatched(fill, spans_); });
 }
 
 // Beside its own words.
@@ -237,8 +236,8 @@ bool BetterReading::choose(std::vector<BuiltAct>& acts,
                                             hypothesis.score > very_likely);
   if (!opens && acts.size() > 1)
     return false;
-  const bool is_sentence = !opens && well_taught_ && acts.size() == 1 &&
-                           is_better_sentence(acts[0], hypothesis);
+  const bool is_sentence =
+      !opens && well_taught_ && is_better_sentence(acts[0], hypothesis);
   const bool better = opens || is_sentence || is_better(acts[0], hypothesis);
   const bool means_other = opens || acts[0].topic != hypothesis.topic ||
                            (is_sentence && hypothesis.score > very_likely &&

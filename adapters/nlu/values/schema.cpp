@@ -28,23 +28,17 @@ std::optional<EntityId> named_entity(std::string_view name) {
 }
 
 // Fewer digits may be any number.
-constexpr int least_digits = 3;
-
-int digits_of(std::int64_t number) {
-  int digits = 0;
-  for (; number > 0; number /= 10)
-    ++digits;
-  return digits;
-}
+constexpr std::size_t least_digits = 3;
 
 // The smallest number of a digit less, if all from `least` to `most` have as
 // many digits and may be what things are known by; else 0.
 std::int64_t fewest_of(std::int64_t least, std::int64_t most) {
-  const auto digits = digits_of(least);
-  if (digits < least_digits || digits_of(most) != digits)
+  const auto digits = std::to_string(least).size();
+  if (least <= 0 || most < least || digits < least_digits ||
+      std::to_string(most).size() != digits)
     return 0;
   std::int64_t fewest = 1;
-  for (int digit = 2; digit < digits; ++digit)
+  for (std::size_t digit = 2; digit < digits; ++digit)
     fewest *= 10;
   return fewest;
 }
@@ -55,6 +49,8 @@ std::int64_t fewest_of(std::span<const std::string> values) {
   std::int64_t most = 0;
   for (const auto& value : values) {
     const auto number = parse_number(value).integer_or(0);
+    if (number <= 0)
+      return 0;
     least = std::min(least, number);
     most = std::max(most, number);
   }

@@ -1,6 +1,7 @@
 #include "script/dialogue/frame/many_values.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace parlour::dialogue {
@@ -16,16 +17,11 @@ Value item(const Value& value, const Value& amount) {
 }
 
 // Whole amounts stay whole.
-Value sum(const Value& one, const Value& other) {
+template <class Operation>
+Value calculated(Operation operation, const Value& one, const Value& other) {
   if (one.if_integer() && other.if_integer())
-    return *one.if_integer() + *other.if_integer();
-  return one.number_or(0) + other.number_or(0);
-}
-
-Value less(const Value& one, const Value& other) {
-  if (one.if_integer() && other.if_integer())
-    return *one.if_integer() - *other.if_integer();
-  return one.number_or(0) - other.number_or(0);
+    return operation(*one.if_integer(), *other.if_integer());
+  return operation(one.number_or(0), other.number_or(0));
 }
 
 auto find(List& items, const Value& value) {
@@ -51,7 +47,8 @@ void ManyValues::put(const Value& value, const Value& amount, bool more) {
   }
   const auto before = (*found)[amount_key];
   if (more)
-    *found = item(value, sum(before, amount.is_unknown() ? Value(1) : amount));
+    *found = item(value, calculated(std::plus(), before,
+                                    amount.is_unknown() ? Value(1) : amount));
   else if (!amount.is_unknown())
     *found = item(value, amount);
 }
@@ -67,7 +64,8 @@ bool ManyValues::remove(const Value& value, const Value& amount) {
   if (found == items_.end())
     return false;
   const auto& held = (*found)[amount_key];
-  const auto left = less(held.is_unknown() ? Value(1) : held, amount);
+  const auto left =
+      calculated(std::minus(), held.is_unknown() ? Value(1) : held, amount);
   if (amount.is_unknown() || left.number_or(0) <= 0)
     items_.erase(found);
   else

@@ -83,6 +83,12 @@ bool is_number_like(const Tokens& tokens, std::size_t position) {
 
 } // namespace
 
+bool is_vague(const Span& span, const Schema& schema) {
+  return is_set(span.entity) && !span.unmatched &&
+         span.confidence < guessed_value &&
+         schema.values().has_things(span.entity - first_set_entity);
+}
+
 Spans::Spans(const Schema& schema, const Utterance& utterance,
              const std::vector<EntityId>& entities, Now now)
     : schema_(schema), utterance_(utterance), plain_(utterance.plain),

@@ -43,6 +43,10 @@ struct Span {
   }
 };
 
+// Whether the words only sound like a thing's name: "breathe" like the shop
+// Bright Steps.
+bool is_vague(const Span& span, const Schema& schema);
+
 // Built for one utterance. Refers to schema and utterance, which must outlive
 // it. Spans are addressed by index, since open() adds to the list.
 class Spans {

@@ -220,10 +220,12 @@ bool BetterReading::is_better_sentence(const BuiltAct& act,
   return needed && hypothesis.score > *needed;
 }
 
-// Beside what rules found, any words are a value only if they look like one:
-// not "it's the big", nor "Jurong now".
+// Beside what rules found, words are a value only if they look like one: not
+// "a garden where I can breathe", "it's the big", nor "Jurong now".
 bool BetterReading::is_clear(const Fill& fill) const {
-  if (fill.span || fill.literal)
+  if (fill.span)
+    return !is_vague(spans_[*fill.span], schema_);
+  if (fill.literal)
     return true;
   const TokenRange value{fill.begin, fill.end};
   return !utterance_.function[fill.end - 1] &&

@@ -242,6 +242,7 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
                                  const Utterance& utterance, const Spans& spans,
                                  const Schema& schema, const Context& context) {
   leave_out_guesses(islands, spans, schema);
+  leave_out_vague_names(islands, spans, schema);
   leave_out_unnamed(islands, utterance, spans);
   leave_out_strangers(islands, utterance, spans, context);
   leave_out_pieces_of_values(islands, spans);

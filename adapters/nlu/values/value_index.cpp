@@ -3,6 +3,7 @@
 #include "adapters/nlu/values/value_index.hpp"
 
 #include <algorithm>
+#include <span>
 #include <unordered_set>
 #include <utility>
 
@@ -57,6 +58,13 @@ bool are_people(const std::vector<std::string>& values) {
   return values.size() >= least_people && named * 10 >= values.size() * 9;
 }
 
+// Of so many values can be told whether a set is one of things.
+constexpr std::size_t enough_values = 100;
+
+bool is_in_small_letters(const std::string& text) {
+  return !text.empty() && text[0] >= 'a' && text[0] <= 'z';
+}
+
 std::uint16_t bit(std::size_t position) {
   return static_cast<std::uint16_t>(1U << position);
 }
@@ -74,6 +82,26 @@ SetId ValueIndex::add(const std::vector<std::string>& values) {
   return set;
 }
 
+bool ValueIndex::has_things(SetId set) const {
+  const auto first = sets_[set].first;
+  const std::size_t last =
+      set + 1U < sets_.size() ? sets_[set + 1U].first : values_.size();
+  const auto looked_at =
+      std::span(values_).subspan(first, std::min(last - first, enough_values));
+  const auto things = std::ranges::count_if(
+      looked_at, [&](const Entry& value) { return is_thing(value); });
+  return static_cast<std::size_t>(things) * 10 >= looked_at.size();
+}
+
+// Whether it has a word of a value that is written in small letters: where
+// "coffee shop" is one, "Harbour Coffee" is no person.
+bool ValueIndex::is_thing(const Entry& value) const {
+  const auto words = value_words(value.text);
+  return std::ranges::any_of(words, [&](const std::string& word) {
+    return words_of_things_.contains(word);
+  });
+}
+
 void ValueIndex::add_value(const std::string& text, SetId set) {
   const auto number = static_cast<std::uint32_t>(values_.size());
   const auto words = value_words(text);
@@ -84,6 +112,8 @@ void ValueIndex::add_value(const std::string& text, SetId set) {
     if (!is_light(words[at]))
       entry.heavy |= bit(at);
     words_.add(words[at], {number, bit(at)});
+    if (is_in_small_letters(text))
+      words_of_things_.insert(words[at]);
     if (at > 0)
       joined_.add(words[at - 1] + words[at],
                   {number, static_cast<std::uint16_t>(bit(at - 1) | bit(at))});
@@ -110,7 +140,7 @@ void ValueIndex::add_synonyms(
           others[other].push_back(word);
   for (std::uint32_t value = 0; value < values_.size(); ++value) {
     const auto& text = values_[value].text;
-    if (text.empty() || text[0] < 'a' || text[0] > 'z')
+    if (!is_in_small_letters(text))
       continue;
     const auto words = value_words(text);
     for (std::size_t at = 0; at < words.size(); ++at)

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "adapters/nlu/text/tokens.hpp"
@@ -68,6 +69,10 @@ public:
     return sets_[set].of_people;
   }
 
+  // Whether at least a tenth of its values have words of values that are
+  // written in small letters, as shops have, and people do not.
+  bool has_things(SetId set) const;
+
   const std::string& value(SetId set, std::uint32_t number) const {
     return values_[sets_[set].first + number].text;
   }
@@ -108,6 +113,7 @@ private:
   };
 
   void add_value(const std::string& text, SetId set);
+  bool is_thing(const Entry& value) const;
 
   std::vector<Entry> values_;
   std::vector<Set> sets_;
@@ -116,6 +122,8 @@ private:
   // looked for apart, so that they take neither the time nor the place of
   // words.
   Lists joined_;
+  // Those of values that are written in small letters.
+  std::unordered_set<std::string> words_of_things_;
   // The lists of words that no value has.
   TextMap<std::vector<Posting>> synonyms_;
 };

@@ -53,6 +53,17 @@ TEST(ValueIndex, FindsOtherWordsForThoseOfSmallLetters) {
   EXPECT_EQ(found("mugg"), ""); // exactly
 }
 
+TEST(ValueIndex, TellsThingsFromPeople) {
+  ValueIndex index;
+  const auto shops = index.add({"Harbour Coffee", "Bright Steps", "Ya Kun"});
+  EXPECT_FALSE(index.has_things(shops));
+  const auto kinds = index.add({"coffee shop", "bank"});
+  const auto people = index.add({"Jeffery Ho", "Tan Wei Ming"});
+  EXPECT_TRUE(index.has_things(shops));
+  EXPECT_TRUE(index.has_things(kinds));
+  EXPECT_FALSE(index.has_things(people));
+}
+
 TEST(ValueIndex, KeepsCandidates) {
   EXPECT_EQ(find("Hui Min"), "Ho Hui Min|Tan Hui Min");
   EXPECT_EQ(find("Ho"), "Jeffery Ho|Ho Hui Min");

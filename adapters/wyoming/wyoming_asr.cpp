@@ -190,7 +190,7 @@ private:
         return reject(session, "the result is no sentence");
       if (text.empty())
         return reject(session, "nothing was recognised");
-      return end(session, "RecognitionResult", {text, Value()});
+      return end(session, "RecognitionResult", {text, Value(), List{}});
     }
     if (event.type == "error")
       return closed(session, "it reports an error: " + text);

@@ -112,6 +112,6 @@ inline constexpr const char* unmatched = "unmatched";
 // completed (the task that was completed last), choices (a list: what is
 // offered), confirms (the words of the yes-or-no question that was asked),
 // grammar (or unknown), heard (a list of texts: what else a recogniser may have
-// heard), and now (in ms).
+// heard; unknown: the words were typed), and now (in ms).
 
 } // namespace parlour

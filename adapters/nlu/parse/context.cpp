@@ -90,6 +90,7 @@ Context read_context(const Value& context, const Schema& schema) {
       read.choices.push_back(choice.text());
   if (const auto* now = context["now"].if_integer())
     read.now = *now;
+  read.heard = context["heard"].if_list() != nullptr;
   return read;
 }
 

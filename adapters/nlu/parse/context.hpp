@@ -35,6 +35,8 @@ struct Context {
   // What the last question offers ("Do you mean A or B?"); empty: nothing.
   std::vector<std::string> choices;
   Now now;
+  // A recogniser has heard the words, so that names may be written wrongly.
+  bool heard = false;
 
   // What an act about the topic gets for being expected (understanding,
   // "Score"): 0.2 for the current topic, 0.1 for a resting or unfinished one,

@@ -6,6 +6,7 @@
 #include "adapters/nlu/forms/calendar.hpp"
 #include "adapters/nlu/parse/clause_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
+#include "adapters/nlu/parse/unmatched_values.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {

@@ -14,6 +14,7 @@
 #include "adapters/nlu/forms/number_words.hpp"
 #include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/words.hpp"
+#include "adapters/nlu/values/heard_names.hpp"
 #include "runtime/text/shifted_time.hpp"
 
 namespace parlour::adapters::nlu {
@@ -75,6 +76,15 @@ bool is_pronoun(const Utterance& utterance, std::size_t position) {
           !number_at(utterance.tokens, position - 1));
 }
 
+// Of these tokens, with nothing before the value itself.
+Span span_of(EntityId entity, std::size_t begin, std::size_t end) {
+  Span span;
+  span.entity = entity;
+  span.begin = span.core = static_cast<std::uint32_t>(begin);
+  span.end = static_cast<std::uint32_t>(end);
+  return span;
+}
+
 bool is_number_like(const Tokens& tokens, std::size_t position) {
   const auto& word = tokens.list[position].word;
   return word.find_first_of("0123456789@") != std::string::npos ||
@@ -83,14 +93,8 @@ bool is_number_like(const Tokens& tokens, std::size_t position) {
 
 } // namespace
 
-bool is_vague(const Span& span, const Schema& schema) {
-  return is_set(span.entity) && !span.unmatched &&
-         span.confidence < guessed_value &&
-         schema.values().has_things(span.entity - first_set_entity);
-}
-
 Spans::Spans(const Schema& schema, const Utterance& utterance,
-             const std::vector<EntityId>& entities, Now now)
+             const std::vector<EntityId>& entities, Now now, bool heard)
     : schema_(schema), utterance_(utterance), plain_(utterance.plain),
       leads_(utterance.size()), stands_(utterance.size()),
       first_at_(utterance.size() + 1), entities_(utterance.size()),
@@ -102,7 +106,9 @@ Spans::Spans(const Schema& schema, const Utterance& utterance,
         !utterance.filler[at] && !utterance.function[at] && !is_comment(word);
   }
   add_forms(entities, now);
-  add_values(entities);
+  add_values(entities, heard);
+  if (heard)
+    add_heard_names(entities);
   order();
 }
 
@@ -137,9 +143,8 @@ void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
         continue;
       if (form == Form::time)
         lean_on_time_before(found->value);
-      Span span{entity, at,    at, at, std::move(found->value), {}, 1,
-                false,  false, 0,  0};
-      span.end += static_cast<std::uint32_t>(found->length);
+      auto span = span_of(entity, at, at + found->length);
+      span.value = std::move(found->value);
       span.weak = found->weak;
       mark_plain(span);
       add(std::move(span));
@@ -164,19 +169,48 @@ void Spans::mark_plain(const Span& span) {
       plain_[at] = true;
 }
 
-void Spans::add_values(const std::vector<EntityId>& entities) {
+void Spans::add_values(const std::vector<EntityId>& entities, bool heard) {
   if (entities.empty() || !is_set(entities.back()))
     return;
   for (auto& match : schema_.values().find(utterance_.tokens, plain_)) {
     const auto entity = first_set_entity + match.set;
     if (!std::ranges::binary_search(entities, entity))
       continue;
-    Span span{entity, match.begin, match.end, match.begin, {}, {},
-              1,      false,       false,     0,           0};
+    auto span = span_of(entity, match.begin, match.end);
     span.values = std::move(match.values);
+    // "Katherine Neo", or Catherine?
+    if (heard && match.whole && span.values.size() == 1)
+      span.values = homophones(schema_.values(), match.set, span.values[0]);
     span.confidence = static_cast<float>(match.confidence);
     span.weak = !match.stands_alone;
     add(std::move(span));
+  }
+}
+
+// Where no name is said as it is. They count only where a name is expected, as
+// much as they sound like it, and are asked back about.
+void Spans::add_heard_names(const std::vector<EntityId>& entities) {
+  for (auto& match : heard_names(schema_.values(), utterance_.tokens)) {
+    const auto entity = first_set_entity + match.set;
+    const auto is_named = [&](const Span& span) {
+      const bool covers = span.begin <= match.begin && match.end <= span.end;
+      const bool overlaps = span.begin < match.end && match.begin < span.end;
+      return span.entity == entity &&
+             ((covers && span.is_certain()) ||
+              (overlaps && span.confidence >= guessed_value &&
+               span.values == match.values));
+    };
+    if (!std::ranges::binary_search(entities, entity) ||
+        std::ranges::any_of(spans_, is_named))
+      continue;
+    auto span = span_of(entity, match.begin, match.end);
+    span.weak = true;
+    span.values = std::move(match.values);
+    span.confidence = static_cast<float>(match.confidence);
+    const auto first = spans_.size();
+    add(std::move(span));
+    for (auto added = first; added < spans_.size(); ++added)
+      spans_[added].confidence = heard_confidence;
   }
 }
 
@@ -206,18 +240,13 @@ Spans::Indices Spans::all_at(std::size_t position) const {
       first_at_[position], first_at_[position + 1] - first_at_[position]);
 }
 
-// A few spans begin at a position at most.
 Spans::Indices Spans::at(EntityId entity, std::size_t position) const {
   if ((entities_[position] & entity_bit(entity)) == 0)
     return {};
-  const auto indices = all_at(position);
-  std::size_t first = 0;
-  while (first < indices.size() && spans_[indices[first]].entity < entity)
-    ++first;
-  auto last = first;
-  while (last < indices.size() && spans_[indices[last]].entity == entity)
-    ++last;
-  return indices.subspan(first, last - first);
+  const auto found = std::ranges::equal_range(
+      all_at(position), entity, {},
+      [&](std::uint32_t index) { return spans_[index].entity; });
+  return Indices(found.begin(), found.end());
 }
 
 // Whether a value of this entity begins in [first, last).
@@ -279,11 +308,8 @@ void Spans::open_number(EntityId entity, std::size_t position,
     ++end;
   if (end == position)
     return;
-  const auto begin = static_cast<std::uint32_t>(position);
-  Span span{entity, begin, static_cast<std::uint32_t>(end),
-            begin,  {},    {},
-            1,      false, true,
-            0,      0};
+  auto span = span_of(entity, position, end);
+  span.unmatched = true;
   span.gain = wrong_number_gain * static_cast<float>(end - position);
   span.covered = static_cast<float>(utterance_.weight_of(position, end)) * 0.7F;
   spans_.push_back(std::move(span));
@@ -335,18 +361,13 @@ void Spans::open_words(EntityId entity, std::size_t position,
       break;
     if (!stands_[at])
       continue;
-    const auto weight = utterance_.weight_of(position, at + 1);
-    spans_.push_back({entity,
-                      static_cast<std::uint32_t>(position),
-                      static_cast<std::uint32_t>(at + 1),
-                      static_cast<std::uint32_t>(first),
-                      {},
-                      {},
-                      1,
-                      false,
-                      of_set,
-                      gain,
-                      static_cast<float>(weight * (of_set ? 0.7 : 0.9))});
+    auto span = span_of(entity, position, at + 1);
+    span.core = static_cast<std::uint32_t>(first);
+    span.unmatched = of_set;
+    span.gain = gain;
+    span.covered = static_cast<float>(utterance_.weight_of(position, at + 1) *
+                                      (of_set ? 0.7 : 0.9));
+    spans_.push_back(std::move(span));
   }
 }
 
@@ -368,11 +389,7 @@ void Spans::rest_of_clause(std::size_t position) {
   for (auto at = position; at < size; ++at) {
     if (at > position && utterance_.tokens.list[at].before != Break::none)
       break;
-    const auto begin = static_cast<std::uint32_t>(position);
-    Span span{rest_entity, begin, static_cast<std::uint32_t>(at + 1),
-              begin,       {},    {},
-              1,           false, false,
-              0,           0};
+    auto span = span_of(rest_entity, position, at + 1);
     span.gain = rest_gain * static_cast<float>(at + 1 - position);
     span.covered = static_cast<float>(utterance_.weight_of(position, at + 1));
     spans_.push_back(std::move(span));

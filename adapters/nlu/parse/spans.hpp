@@ -43,17 +43,14 @@ struct Span {
   }
 };
 
-// Whether the words only sound like a thing's name: "breathe" like the shop
-// Bright Steps.
-bool is_vague(const Span& span, const Schema& schema);
-
 // Built for one utterance. Refers to schema and utterance, which must outlive
 // it. Spans are addressed by index, since open() adds to the list.
 class Spans {
 public:
-  // `entities` are those that the grammars mention, sorted.
+  // `entities` are those that the grammars mention, sorted. Of what was
+  // `heard`, and not written, words may be names that only sound like them.
   Spans(const Schema& schema, const Utterance& utterance,
-        const std::vector<EntityId>& entities, Now now);
+        const std::vector<EntityId>& entities, Now now, bool heard = false);
 
   // Indices of spans, valid until more are opened.
   using Indices = std::span<const std::uint32_t>;
@@ -91,7 +88,8 @@ public:
 
 private:
   void add_forms(const std::vector<EntityId>& entities, Now now);
-  void add_values(const std::vector<EntityId>& entities);
+  void add_values(const std::vector<EntityId>& entities, bool heard);
+  void add_heard_names(const std::vector<EntityId>& entities);
   void add(Span span);
   void order();
   Indices all_at(std::size_t position) const;

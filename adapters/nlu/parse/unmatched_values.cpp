@@ -221,6 +221,12 @@ void leave_out_lookalikes(std::vector<Island>& islands,
   });
 }
 
+bool is_vague(const Span& span, const Schema& schema) {
+  return is_set(span.entity) && !span.unmatched &&
+         span.confidence < guessed_value &&
+         schema.values().has_things(span.entity - first_set_entity);
+}
+
 void leave_out_pieces_of_values(std::vector<Island>& islands,
                                 const Spans& spans) {
   const auto is_piece = [&](const Fill& fill) {

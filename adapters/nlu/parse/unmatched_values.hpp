@@ -24,6 +24,10 @@ void leave_out_lookalikes(std::vector<Island>& islands,
                           const Utterance& utterance, const Spans& spans,
                           const Context& context);
 
+// Whether the words only sound like a thing's name: "breathe" like the shop
+// Bright Steps.
+bool is_vague(const Span& span, const Schema& schema);
+
 // Takes out islands with a value that is only like what is said, or named in
 // part, where the words belong to a longer value: in "the lung clinic" nobody
 // means the lung ward.

@@ -7,6 +7,7 @@
 
 #include "adapters/nlu/acts/courtesies.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
+#include "adapters/nlu/parse/unmatched_values.hpp"
 #include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/word_set.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"

@@ -83,6 +83,10 @@ struct NluEngine::Implementation {
     return all;
   }
 
+  Spans spans_of(const Utterance& utterance, const Context& context) const {
+    return {schema, utterance, entities(context), context.now, context.heard};
+  }
+
   std::vector<BuiltAct> acts_of(const Chain& chain, const Utterance& utterance,
                                 const Context& context) const {
     return build_acts(chain, utterance, schema, context, threshold);
@@ -115,7 +119,7 @@ struct NluEngine::Implementation {
   void add_left_sentence(std::string_view sentence, double likely,
                          const Context& context, Understanding& made) const {
     const auto utterance = make_utterance(sentence, automaton);
-    Spans spans(schema, utterance, entities(context), context.now);
+    auto spans = spans_of(utterance, context);
     const auto found = hypotheses(utterance, spans, context, false);
     if (!found.empty() && found[0].topic != no_topic &&
         found[0].score >= likely)
@@ -302,7 +306,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   //  -> chains -> acts, completed by hypotheses of the examples
   const auto context = read_context(context_value, schema);
   const auto utterance = make_utterance(text, self.automaton);
-  Spans spans(schema, utterance, self.entities(context), context.now);
+  auto spans = self.spans_of(utterance, context);
   Matcher matcher(self.automaton, utterance, spans, context.asked_entity_id,
                   context.grammar);
   auto islands = read_islands(matcher.run(), matcher.traces(), spans,

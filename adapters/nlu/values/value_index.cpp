@@ -74,11 +74,14 @@ std::uint16_t bit(std::size_t position) {
 SetId ValueIndex::add(const std::vector<std::string>& values) {
   const auto set = static_cast<SetId>(sets_.size());
   sets_.push_back(
-      {static_cast<std::uint32_t>(values_.size()), are_people(values)});
+      {static_cast<std::uint32_t>(values_.size()), are_people(values), {}});
   std::unordered_set<std::string_view> seen;
   for (const auto& value : values)
     if (seen.insert(value).second)
       add_value(value, set);
+  if (auto& added = sets_.back(); added.of_people)
+    for (auto value = added.first; value < values_.size(); ++value)
+      added.sounds.push_back(sounds_of_name(value_words(values_[value].text)));
   return set;
 }
 

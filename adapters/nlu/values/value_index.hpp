@@ -18,6 +18,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "adapters/nlu/text/phones.hpp"
 #include "adapters/nlu/text/tokens.hpp"
 #include "adapters/nlu/text/word_index.hpp"
 
@@ -73,6 +74,13 @@ public:
   // written in small letters, as shops have, and people do not.
   bool has_things(SetId set) const;
 
+  std::size_t sets() const {
+    return sets_.size();
+  }
+  // Of each value, if the set has people; else empty.
+  const std::vector<NameSounds>& sounds(SetId set) const {
+    return sets_[set].sounds;
+  }
   const std::string& value(SetId set, std::uint32_t number) const {
     return values_[sets_[set].first + number].text;
   }
@@ -110,6 +118,7 @@ private:
     // Its values look like names of people, so a word beside one that is left
     // over means somebody else.
     bool of_people = false;
+    std::vector<NameSounds> sounds;
   };
 
   void add_value(const std::string& text, SetId set);

@@ -20,7 +20,7 @@ const Value& text_of(const Value& alternative) {
 } // namespace
 
 // RecognitionResult(text, confidence, alternatives): equal texts count once,
-// and what is too long is left out.
+// and what is too long is left out. A typed line has no alternatives.
 Value heard_texts(const Message& result) {
   if (result.params.size() < 3 || !result.params[0].if_string())
     return {};
@@ -36,7 +36,7 @@ Value heard_texts(const Message& result) {
         std::ranges::find(texts, text) == texts.end())
       texts.push_back(text);
   }
-  return texts.size() > 1 ? Value(std::move(texts)) : Value();
+  return texts;
 }
 
 // A script that posts another text than was heard, such as a corrected one,

@@ -7,8 +7,8 @@
 
 namespace parlour::dialogue {
 
-// The texts of a RecognitionResult, the likeliest first; unknown where there is
-// only one.
+// The texts of a RecognitionResult, the likeliest first; unknown where nothing
+// was heard, but typed.
 Value heard_texts(const Message& result);
 
 // The context of the understanding of `text`, with what else was heard, if it

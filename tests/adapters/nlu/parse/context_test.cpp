@@ -16,6 +16,12 @@ protected:
   Schema schema{sample_model(), sample_column, errors};
 };
 
+TEST_F(ContextTest, TellsWhatWasHeard) {
+  EXPECT_FALSE(read({}).heard);
+  EXPECT_TRUE(read({{"heard", List{}}}).heard);
+  EXPECT_TRUE(read({{"heard", List{"too"}}}).heard);
+}
+
 TEST_F(ContextTest, IsReadByNames) {
   const auto context =
       read({{"asked", Map{{"topic", "Appointment"}, {"slot", "Time"}}},

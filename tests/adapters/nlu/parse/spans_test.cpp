@@ -1,3 +1,4 @@
+#include "adapters/nlu/values/heard_names.hpp"
 #include "tests/adapters/nlu/stages.hpp"
 
 namespace parlour::adapters::nlu::test {
@@ -94,6 +95,43 @@ TEST(Spans, OfWordsThatASetDoesNotHave) {
   const auto again = stages.spans.open(entity, 0, 3);
   EXPECT_EQ(again.data(), made.data()); // made once
   EXPECT_TRUE(stages.spans.at(entity, 0).empty());
+}
+
+// Ten people are enough to be known as people.
+Expected<std::vector<std::string>> many_people(const std::string&) {
+  return std::vector<std::string>{
+      "Koh Sok Hwee", "Katherine Neo", "Catherine Neo", "Jeffery Ho",
+      "Grace Chen",   "Kelvin Palmer", "Priya Nair",    "Anand Menon",
+      "Rachel Lim",   "Adeline Foo"};
+}
+
+// The spans of hosts: words, candidates and confidence.
+Lines hosts(const char* text, bool heard) {
+  std::vector<Error> errors;
+  const Schema schema(sample_model(), many_people, errors);
+  const auto entity = schema.at(0).find("Host")->entity;
+  const Automaton automaton;
+  const auto utterance = make_utterance(text, automaton);
+  const Spans spans(schema, utterance, {entity}, {}, heard);
+  Lines made;
+  for (const auto& span : spans.all())
+    made.push_back(
+        std::string(words_of(text, utterance.tokens, span.begin, span.end)) +
+        (span.weak ? " weakly " : " ") + std::to_string(span.values.size()) +
+        (span.confidence == heard_confidence ? " doubted" : ""));
+  return made;
+}
+
+TEST(Spans, OfHeardNamesAreWeakAndDoubted) {
+  EXPECT_EQ(hosts("Koh Sok Hui", true).back(), "Koh Sok Hui weakly 1 doubted");
+  EXPECT_EQ(hosts("Jeffery Ho", true).back(), "Jeffery Ho 1");
+  for (const auto& line : hosts("Koh Sok Hui", false))
+    EXPECT_EQ(line.find("doubted"), std::string::npos) << line;
+}
+
+TEST(Spans, OfHeardNamesAreAllThatAreSaidAlike) {
+  EXPECT_EQ(hosts("Katherine Neo", false).back(), "Katherine Neo 1");
+  EXPECT_EQ(hosts("Katherine Neo", true).back(), "Katherine Neo 2");
 }
 
 TEST(Spans, OneIsNoNumberBehindAnAdjective) {

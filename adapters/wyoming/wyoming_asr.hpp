@@ -6,7 +6,7 @@
 //      first frame of a turn opens. Partial(text, revision) as the server says
 //      what it hears.
 //  Finish()
-//      RecognitionResult(text, unknown), or Rejected(reason): nothing was
+//      RecognitionResult(text, unknown, []), or Rejected(reason): nothing was
 //      heard, or the server does not answer.
 //  Cancel()
 //      Drops the turn.

@@ -83,7 +83,8 @@ using ColumnReader =
 //   slots        map: name -> value, or {value, confidence, text, candidates};
 //                of several values {items}: a list of such, each with its
 //                `amount`; `more`: so many in addition; `unmatched`: true if
-//                the words are where a value belongs and are none
+//                the words are where a value belongs and are none; `heard`:
+//                true if they only sound like the value
 //   text         the words
 //   elliptical   boolean
 //   alternatives list of acts, on the first act only
@@ -103,6 +104,7 @@ inline constexpr const char* items = "items";
 inline constexpr const char* amount = "amount";
 inline constexpr const char* more = "more";
 inline constexpr const char* unmatched = "unmatched";
+inline constexpr const char* heard = "heard";
 } // namespace act_key
 
 // The session's context, the second parameter of DoNLU, is a map: asked

@@ -45,6 +45,8 @@ Value fill_value(const Fill& fill, const Utterance& utterance,
       if (is_form(span.entity))
         made.set(act_key::value, figures_of(utterance.tokens, fill, text));
     }
+    if (span.only_heard)
+      made.set(act_key::heard, true);
     const auto set = span.entity - first_set_entity;
     List candidates;
     for (const auto value : span.values)

@@ -6,7 +6,6 @@
 #include "adapters/nlu/forms/calendar.hpp"
 #include "adapters/nlu/parse/clause_filters.hpp"
 #include "adapters/nlu/parse/open_words.hpp"
-#include "adapters/nlu/parse/unmatched_values.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -90,28 +89,6 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
            std::ranges::all_of(island.fills, [&](const Fill& fill) {
              return is_outshone(fill, island);
            });
-  });
-}
-
-void leave_out_vague_names(std::vector<Island>& islands, const Spans& spans,
-                           const Schema& schema) {
-  const auto is_only_like = [&](const Fill& fill) {
-    return fill.span && is_vague(spans[*fill.span], schema);
-  };
-  const auto is_named = [](const Span& span) {
-    return !span.unmatched && !is_guess(span);
-  };
-  std::vector<TopicNumber> named;
-  for (const auto& island : islands)
-    if (std::ranges::any_of(island.fills, [&](const Fill& fill) {
-          return fits(fill, spans, is_named);
-        }))
-      named.insert(named.end(), island.topics.begin(), island.topics.end());
-  std::erase_if(islands, [&](const Island& island) {
-    return !island.fills.empty() &&
-           std::ranges::all_of(island.fills, is_only_like) &&
-           std::ranges::find_first_of(island.topics, named) !=
-               island.topics.end();
   });
 }
 

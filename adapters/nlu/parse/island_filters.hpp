@@ -16,12 +16,6 @@ namespace parlour::adapters::nlu {
 void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
                        const Schema& schema);
 
-// Takes out what only sounds like a thing's name where another thing of the
-// topic is named: in "a loo and somewhere to get smokes", nobody asks for
-// snacks.
-void leave_out_vague_names(std::vector<Island>& islands, const Spans& spans,
-                           const Schema& schema);
-
 // Takes out what only names something unknown, without saying what is wanted of
 // it, where another clause names what is known: in "to the study, it's on the
 // way", nobody asks for a way. Nor for a person in "where can I have a drink

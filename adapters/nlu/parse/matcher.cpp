@@ -273,7 +273,9 @@ void Matcher::take_entity(std::size_t position, const Item& item,
     const auto known = spans_.at(entity, position);
     for (const auto index : known)
       take_span(item, arc, index, expected);
-    if (!known.empty() || (is_form(entity) && !asked))
+    const bool is_named = std::ranges::any_of(
+        known, [&](std::uint32_t index) { return !spans_[index].only_heard; });
+    if (is_named || (is_form(entity) && !asked))
       return;
   }
   // Open words are all that stands there: "I am Anouk, Windmolen" is no

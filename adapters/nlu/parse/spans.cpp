@@ -12,7 +12,7 @@
 
 #include "adapters/nlu/forms/first_words.hpp"
 #include "adapters/nlu/forms/number_words.hpp"
-#include "adapters/nlu/text/has.hpp"
+#include "adapters/nlu/parse/pronoun_one.hpp"
 #include "adapters/nlu/text/words.hpp"
 #include "adapters/nlu/values/heard_names.hpp"
 #include "runtime/text/shifted_time.hpp"
@@ -33,6 +33,9 @@ constexpr float deed_gain = 0.2F;
 constexpr float rest_gain = 0.7F;
 constexpr std::size_t most_rest = 30;
 
+// Such a name is not asked back about though it was heard otherwise.
+constexpr float well_understood_name = 0.7F;
+
 // How many titles and determiners may stand before open words.
 constexpr std::size_t most_leading = 3;
 
@@ -46,36 +49,6 @@ bool is_deed(const Tokens& tokens, std::size_t position) {
          std::ranges::find(verbs, tokens.list[position].word) != verbs.end();
 }
 
-// Behind these, "one" is a number: "my room one".
-bool is_numbered(std::string_view word) {
-  static constexpr std::array<std::string_view, 20> words{
-      "room", "number",  "level", "floor",    "table",    "ward",   "gate",
-      "card", "channel", "line",  "block",    "unit",     "tower",  "option",
-      "lift", "bus",     "bed",   "terminal", "platform", "counter"};
-  return has(words, word);
-}
-
-// "one of those", "this one", "I've got one", "the little one": no number.
-bool is_pronoun(const Utterance& utterance, std::size_t position) {
-  static constexpr std::array<std::string_view, 10> before{
-      "this", "that", "which", "another", "other",
-      "got",  "buy",  "new",   "any",     "the"};
-  const auto& list = utterance.tokens.list;
-  if (list[position].word != "one")
-    return false;
-  if (position + 1 < list.size() && list[position + 1].word == "of")
-    return true;
-  if (position == 0)
-    return false;
-  const auto& last = list[position - 1].word;
-  return has(before, last) ||
-         (position > 1 && list[position - 1].before == Break::none &&
-          list[position].before == Break::none &&
-          is_determiner(list[position - 2].word) &&
-          !utterance.function[position - 1] && !is_numbered(last) &&
-          !number_at(utterance.tokens, position - 1));
-}
-
 // Of these tokens, with nothing before the value itself.
 Span span_of(EntityId entity, std::size_t begin, std::size_t end) {
   Span span;
@@ -83,6 +56,17 @@ Span span_of(EntityId entity, std::size_t begin, std::size_t end) {
   span.begin = span.core = static_cast<std::uint32_t>(begin);
   span.end = static_cast<std::uint32_t>(end);
   return span;
+}
+
+// Whether all these words are a value of some set, or some of them the same
+// name and well understood.
+bool names_as_well(const Span& span, const ValueMatch& heard, EntityId entity) {
+  const bool covers = span.begin <= heard.begin && heard.end <= span.end;
+  const bool overlaps = span.begin < heard.end && heard.begin < span.end;
+  return is_set(span.entity) &&
+         ((covers && span.is_certain()) ||
+          (overlaps && span.entity == entity && span.values == heard.values &&
+           span.confidence >= well_understood_name));
 }
 
 bool is_number_like(const Tokens& tokens, std::size_t position) {
@@ -106,7 +90,7 @@ Spans::Spans(const Schema& schema, const Utterance& utterance,
         !utterance.filler[at] && !utterance.function[at] && !is_comment(word);
   }
   add_forms(entities, now);
-  add_values(entities, heard);
+  add_values(entities);
   if (heard)
     add_heard_names(entities);
   order();
@@ -139,7 +123,7 @@ void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
         continue;
       auto found = form_at(form, utterance_.tokens, at, now);
       if (!found || found->length == 0 ||
-          (found->length == 1 && is_pronoun(utterance_, at)))
+          (found->length == 1 && is_pronoun_one(utterance_, at)))
         continue;
       if (form == Form::time)
         lean_on_time_before(found->value);
@@ -169,7 +153,7 @@ void Spans::mark_plain(const Span& span) {
       plain_[at] = true;
 }
 
-void Spans::add_values(const std::vector<EntityId>& entities, bool heard) {
+void Spans::add_values(const std::vector<EntityId>& entities) {
   if (entities.empty() || !is_set(entities.back()))
     return;
   for (auto& match : schema_.values().find(utterance_.tokens, plain_)) {
@@ -178,9 +162,6 @@ void Spans::add_values(const std::vector<EntityId>& entities, bool heard) {
       continue;
     auto span = span_of(entity, match.begin, match.end);
     span.values = std::move(match.values);
-    // "Katherine Neo", or Catherine?
-    if (heard && match.whole && span.values.size() == 1)
-      span.values = homophones(schema_.values(), match.set, span.values[0]);
     span.confidence = static_cast<float>(match.confidence);
     span.weak = !match.stands_alone;
     add(std::move(span));
@@ -190,28 +171,28 @@ void Spans::add_values(const std::vector<EntityId>& entities, bool heard) {
 // Where no name is said as it is. They count only where a name is expected, as
 // much as they sound like it, and are asked back about.
 void Spans::add_heard_names(const std::vector<EntityId>& entities) {
-  for (auto& match : heard_names(schema_.values(), utterance_.tokens)) {
-    const auto entity = first_set_entity + match.set;
-    const auto is_named = [&](const Span& span) {
-      const bool covers = span.begin <= match.begin && match.end <= span.end;
-      const bool overlaps = span.begin < match.end && match.begin < span.end;
-      return span.entity == entity &&
-             ((covers && span.is_certain()) ||
-              (overlaps && span.confidence >= guessed_value &&
-               span.values == match.values));
-    };
-    if (!std::ranges::binary_search(entities, entity) ||
-        std::ranges::any_of(spans_, is_named))
-      continue;
-    auto span = span_of(entity, match.begin, match.end);
-    span.weak = true;
-    span.values = std::move(match.values);
-    span.confidence = static_cast<float>(match.confidence);
-    const auto first = spans_.size();
-    add(std::move(span));
-    for (auto added = first; added < spans_.size(); ++added)
-      spans_[added].confidence = heard_confidence;
-  }
+  const auto known = spans_.size();
+  for (const auto entity : entities)
+    if (is_set(entity))
+      for (auto& match :
+           heard_names(schema_.values(), entity - first_set_entity,
+                       utterance_.tokens, plain_))
+        if (std::none_of(spans_.begin(), spans_.begin() + known,
+                         [&](const Span& span) {
+                           return names_as_well(span, match, entity);
+                         }))
+          add_heard_name(entity, std::move(match));
+}
+
+void Spans::add_heard_name(EntityId entity, ValueMatch&& match) {
+  auto span = span_of(entity, match.begin, match.end);
+  span.weak = span.only_heard = true;
+  span.values = std::move(match.values);
+  span.confidence = static_cast<float>(match.confidence);
+  const auto first = spans_.size();
+  add(std::move(span));
+  for (auto added = first; added < spans_.size(); ++added)
+    spans_[added].confidence = heard_confidence;
 }
 
 // Adds the span, and a copy of it for each title and determiner before it.

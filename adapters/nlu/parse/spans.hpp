@@ -32,6 +32,8 @@ struct Span {
   bool weak = false;
   // Words in the place of a value, of which the set has none.
   bool unmatched = false;
+  // Words that sound like a name as a whole (heard_names).
+  bool only_heard = false;
   // Added to the score of a match.
   float gain = 0;
   // Added to the share of the utterance that is understood.
@@ -88,8 +90,9 @@ public:
 
 private:
   void add_forms(const std::vector<EntityId>& entities, Now now);
-  void add_values(const std::vector<EntityId>& entities, bool heard);
+  void add_values(const std::vector<EntityId>& entities);
   void add_heard_names(const std::vector<EntityId>& entities);
+  void add_heard_name(EntityId entity, ValueMatch&& match);
   void add(Span span);
   void order();
   Indices all_at(std::size_t position) const;

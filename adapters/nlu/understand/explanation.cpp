@@ -45,14 +45,23 @@ Explanation::lines(const std::vector<Island>& islands,
   return made;
 }
 
-std::vector<std::string>
-Explanation::learnt(const TrainedModel& learned) const {
-  if (learned.empty() || utterance_.size() == 0)
-    return {};
+std::vector<std::string> Explanation::learnt(const TrainedModel& learned,
+                                             const Likeness& likeness) const {
+  std::vector<std::string> made;
+  if (!learned.empty() && utterance_.size() > 0)
+    made.push_back(learnt(learned));
+  for (const auto& like :
+       likeness.likes(utterance_, learned.words(utterance_, spans_)))
+    made.push_back("alike " + two_digits(like.similarity) + " " +
+                   topic(like.meaning.topic) + " \"" + like.sentence + '"');
+  return made;
+}
+
+std::string Explanation::learnt(const TrainedModel& learned) const {
   const auto words = learned.words(utterance_, spans_);
   const auto hypotheses = learned.topics(words);
   if (hypotheses.empty())
-    return {"learnt nothing of these words"};
+    return "learnt nothing of these words";
   std::string line = "learnt";
   for (std::size_t at = 0; at < hypotheses.size() && at < max_hypotheses;
        ++at) {
@@ -67,7 +76,7 @@ Explanation::learnt(const TrainedModel& learned) const {
             std::string(words_of(utterance_.text, utterance_.tokens, slot.begin,
                                  slot.end)) +
             "\"";
-  return {line};
+  return line;
 }
 
 // Marks fillers, and words that no rule has.

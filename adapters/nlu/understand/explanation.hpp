@@ -7,6 +7,7 @@
 
 #include "adapters/nlu/acts/chain.hpp"
 #include "adapters/nlu/parse/built_act.hpp"
+#include "adapters/nlu/understand/likeness.hpp"
 #include "adapters/nlu/understand/trained_model.hpp"
 
 namespace parlour::adapters::nlu {
@@ -23,11 +24,13 @@ public:
                                  const std::vector<Chain>& chains,
                                  const std::vector<BuiltAct>& acts) const;
 
-  // The topics for which the examples speak, and the slots of the most likely
-  // one.
-  std::vector<std::string> learnt(const TrainedModel& learned) const;
+  // The topics for which the examples speak, with the slots of the most likely
+  // one, and sentences of rules that are like it.
+  std::vector<std::string> learnt(const TrainedModel& learned,
+                                  const Likeness& likeness) const;
 
 private:
+  std::string learnt(const TrainedModel& learned) const;
   std::string tokens() const;
   std::string island(const Island& island) const;
   std::string act(const BuiltAct& act) const;

@@ -1,13 +1,11 @@
-// Building: all sources of rules go into one automaton, then the examples are
-// learnt, which needs the automaton's vocabulary. Understanding: see
-// NluEngine::understand.
+// Building: all sources of rules go into one automaton, whose vocabulary the
+// examples are learnt with. Understanding: see NluEngine::understand.
 #include "adapters/nlu/understand/nlu_engine.hpp"
 
 #include <algorithm>
 #include <future>
+#include <iterator>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "adapters/nlu/acts/act_value.hpp"
 #include "adapters/nlu/acts/acts.hpp"
@@ -42,12 +40,13 @@ namespace {
 constexpr double fit_range = 0.35;
 // Of what the rules say, so many sentences are remembered.
 constexpr std::size_t rule_sentences = 8000;
-// What was learnt must reach beside sentences that say nothing about a topic,
-// and beside others.
+// What was learnt must reach beside sentences about nothing, beside others.
 constexpr double likely_by_itself = 0.7;
 constexpr double likely_beside_others = 0.9;
 // Where rules understood less of a question, it may be read by itself.
 constexpr double mostly_understood = 0.75;
+// What one sentence must reach by itself, where all together say nothing.
+constexpr double surely_said = 0.6;
 
 double coverage_of(const Chain& chain, const Utterance& utterance) {
   double covered = 0;
@@ -157,17 +156,8 @@ struct NluEngine::Implementation {
           const std::vector<BuiltAct>& acts, bool is_other_talk) const {
     const Explanation explanation(utterance, spans, schema);
     auto lines = explanation.lines(islands, chains, acts);
-    const auto learnt = explanation.learnt(taught->learned);
-    const auto before_acts = [&] {
-      return lines.end() - static_cast<std::ptrdiff_t>(acts.size());
-    };
-    lines.insert(before_acts(), learnt.begin(), learnt.end());
-    for (const auto& like : taught->likeness.likes(
-             utterance, taught->learned.words(utterance, spans)))
-      lines.insert(before_acts(),
-                   fmt::format("alike {:.2f} {} \"{}\"", like.similarity,
-                               schema.at(like.meaning.topic).name,
-                               like.sentence));
+    const auto more = explanation.learnt(taught->learned, taught->likeness);
+    lines.insert(lines.end() - std::ssize(acts), more.begin(), more.end());
     if (is_other_talk)
       lines.emplace_back("more like other talk than like any rule");
     return lines;
@@ -246,7 +236,6 @@ void leave_out_what_nobody_means(std::vector<Island>& islands,
                                  const Utterance& utterance, const Spans& spans,
                                  const Schema& schema, const Context& context) {
   leave_out_guesses(islands, spans, schema);
-  leave_out_vague_names(islands, spans, schema);
   leave_out_unnamed(islands, utterance, spans);
   leave_out_strangers(islands, utterance, spans, context);
   leave_out_pieces_of_values(islands, spans);
@@ -391,6 +380,21 @@ void NluEngine::read_sentences(const std::vector<SentenceApart>& sentences,
     else
       all.push_back(std::move(made.acts[i]));
   made.acts = std::move(all);
+  if (made.acts.empty())
+    read_alone(sentences, context_value, made);
+}
+
+// "Not before evening? Then a coffee it is": by rules, and courtesies aside.
+void NluEngine::read_alone(const std::vector<SentenceApart>& sentences,
+                           const Value& context, Understanding& made) const {
+  for (const auto& sentence : sentences)
+    if (auto one = read(sentence.text, context, false); !one.is_learnt)
+      for (auto& act : one.acts)
+        if (const auto score = act[act_key::confidence].number_or(0);
+            score >= surely_said && !act[act_key::topic].is_unknown()) {
+          made.score = std::max(made.score, score);
+          made.acts.push_back(std::move(act));
+        }
 }
 
 } // namespace parlour::adapters::nlu

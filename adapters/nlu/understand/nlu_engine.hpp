@@ -75,6 +75,8 @@ private:
   void read_sentences(const std::vector<SentenceApart>& sentences,
                       const std::vector<BuiltAct>& acts,
                       const Value& context_value, Understanding& made) const;
+  void read_alone(const std::vector<SentenceApart>& sentences,
+                  const Value& context, Understanding& made) const;
   explicit NluEngine(std::shared_ptr<const Implementation> implementation);
 
   std::shared_ptr<const Implementation> implementation_;

@@ -15,20 +15,33 @@ namespace {
 constexpr std::size_t most_words = 8;
 // Shorter names sound like too much else.
 constexpr std::size_t least_sounds = 5;
-// How alike they must be, and which others are as good.
+// How alike they must be as a whole, where the words are others, and each word
+// of as many: Peter Low is no Peter Ho.
 constexpr double least_alike = 0.75;
+constexpr double least_in_other_words = 0.8;
+constexpr double least_of_a_word = 0.7;
+// So much alike, and three words may be divided otherwise: "Fujun Kai Ad".
+constexpr double least_of_many_words = 0.85;
+// Which others are as good.
 constexpr double as_good = 0.06;
+constexpr std::size_t most_names = 3;
 // A long name speaks for itself more than a short one, by each sound that is
 // more alike than this.
 constexpr double of_no_worth = 0.7;
-constexpr std::size_t most_names = 3;
 // By how much of the longer one their lengths may differ.
 constexpr double most_longer = 0.35;
+// Of runs with names, for one utterance.
+constexpr std::size_t most_comparisons = 2'000'000;
 
 struct Heard {
   ValueMatch match;
   double evidence = 0;
 };
+
+// "bin", "son of": they are misheard most, and tell nobody apart.
+bool joins_names(const std::string& word) {
+  return is_light(word) || is_title(word);
+}
 
 bool may_be_alike(const NameSounds& one, const NameSounds& other) {
   const auto [shorter, longer] =
@@ -39,12 +52,17 @@ bool may_be_alike(const NameSounds& one, const NameSounds& other) {
 
 class NameSearch {
 public:
-  NameSearch(const ValueIndex& index, const Tokens& tokens)
-      : index_(index), tokens_(tokens) {}
+  NameSearch(const ValueIndex& index, SetId set, const Tokens& tokens,
+             const std::vector<bool>& plain)
+      : index_(index), set_(set), names_(index.sounds(set)), tokens_(tokens),
+        plain_(plain),
+        runs_left_(most_comparisons / std::max<std::size_t>(1, names_.size())) {
+  }
 
-  std::vector<ValueMatch> run(SetId set) {
+  std::vector<ValueMatch> run() {
     for (std::uint32_t begin = 0; begin < tokens_.list.size(); ++begin)
-      look_from(begin, set);
+      if (!is_own_name(begin))
+        look_from(begin);
     std::ranges::stable_sort(heard_, std::greater(), &Heard::evidence);
     std::vector<ValueMatch> made;
     for (auto& heard : heard_)
@@ -57,17 +75,31 @@ public:
   }
 
 private:
-  void look_from(std::uint32_t begin, SetId set) {
+  // "I am …" and "my name is …" lead in who speaks.
+  bool is_own_name(std::uint32_t begin) const {
+    const auto before = [&](std::uint32_t by) -> std::string_view {
+      return begin >= by ? tokens_.list[begin - by].word : std::string_view();
+    };
+    return before(1) == "am" || (before(1) == "is" && before(2) == "name");
+  }
+
+  void look_from(std::uint32_t begin) {
     const auto& list = tokens_.list;
     std::vector<std::string> words;
-    bool has_name = false;
+    std::size_t names = 0;
+    std::size_t unknown = 0;
     for (auto at = begin; at < list.size() && at < begin + most_words; ++at) {
-      if (at > begin && list[at].before == Break::sentence)
+      const auto& word = list[at].word;
+      if ((at > begin && list[at].before == Break::sentence) ||
+          phones_of(word).empty() || runs_left_ == 0)
         return;
-      words.push_back(list[at].word);
-      has_name = has_name || !is_function_word(list[at].word);
-      if (has_name)
-        compare({set, begin, at + 1, {}, 0, true, false}, words);
+      words.push_back(word);
+      if (joins_names(word))
+        continue;
+      ++names;
+      unknown += plain_[at] ? 0U : 1U;
+      if (unknown * 2 >= names)
+        compare({set_, begin, at + 1, {}, 0, true, false}, words);
     }
   }
 
@@ -75,13 +107,13 @@ private:
     const auto heard = sounds_of_name(words);
     if (heard.phones.size() < least_sounds)
       return;
+    --runs_left_;
     std::vector<std::pair<double, std::uint32_t>> found;
-    const auto& names = index_.sounds(match.set);
-    for (std::uint32_t name = 0; name < names.size(); ++name)
-      if (may_be_alike(heard, names[name]))
+    for (std::uint32_t name = 0; name < names_.size(); ++name)
+      if (may_be_alike(heard, names_[name]))
         if (const auto alike =
-                sounds_alike(heard.phones, names[name].phones, least_alike);
-            alike >= least_alike)
+                sounds_alike(heard.phones, names_[name].phones, least_alike);
+            alike >= least_alike && may_be(words, name, alike))
           found.emplace_back(-alike, name);
     if (found.empty())
       return;
@@ -96,32 +128,47 @@ private:
     heard_.push_back({std::move(match), evidence});
   }
 
+  bool may_be(std::vector<std::string> words, std::uint32_t name,
+              double alike) const {
+    std::erase_if(words, joins_names);
+    std::vector<std::string> others;
+    for (auto& token : tokenize(index_.value(set_, name)).list)
+      if (!joins_names(token.word))
+        others.push_back(std::move(token.word));
+    // A part of the name as it is written is found by ValueIndex::find.
+    if (words.size() != others.size())
+      return alike >= least_in_other_words &&
+             !std::ranges::all_of(words, [&](const std::string& word) {
+               return std::ranges::find(others, word) != others.end();
+             });
+    std::size_t unlike = 0;
+    for (std::size_t at = 0; at < words.size(); ++at)
+      unlike += sounds_alike(phones_of(words[at]), phones_of(others[at])) <
+                        least_of_a_word
+                    ? 1U
+                    : 0U;
+    const auto may_be_unlike = words.size() < 3 ? 0U : 1U;
+    return unlike <= may_be_unlike ||
+           (words.size() >= 3 && alike >= least_of_many_words);
+  }
+
   const ValueIndex& index_;
+  const SetId set_;
+  const std::vector<NameSounds>& names_;
   const Tokens& tokens_;
+  const std::vector<bool>& plain_;
+  std::size_t runs_left_;
   std::vector<Heard> heard_;
 };
 
 } // namespace
 
-std::vector<ValueMatch> heard_names(const ValueIndex& index,
-                                    const Tokens& tokens) {
-  std::vector<ValueMatch> made;
-  for (SetId set = 0; set < index.sets(); ++set)
-    if (index.has_people(set) && !index.has_things(set))
-      for (auto& match : NameSearch(index, tokens).run(set))
-        made.push_back(std::move(match));
-  return made;
-}
-
-std::vector<std::uint32_t> homophones(const ValueIndex& index, SetId set,
-                                      std::uint32_t name) {
-  const auto& names = index.sounds(set);
-  std::vector<std::uint32_t> made{name};
-  for (std::uint32_t other = 0; other < names.size(); ++other)
-    if (other != name && names[other].phones == names[name].phones &&
-        names[name].phones.size() >= least_sounds)
-      made.push_back(other);
-  return made;
+std::vector<ValueMatch> heard_names(const ValueIndex& index, SetId set,
+                                    const Tokens& tokens,
+                                    const std::vector<bool>& plain) {
+  return index.has_people(set) && !index.has_things(set)
+             ? NameSearch(index, set, tokens, plain).run()
+             : std::vector<ValueMatch>();
 }
 
 } // namespace parlour::adapters::nlu

@@ -3,7 +3,6 @@
 #include "adapters/nlu/values/value_index.hpp"
 
 #include <algorithm>
-#include <span>
 #include <unordered_set>
 #include <utility>
 
@@ -58,8 +57,10 @@ bool are_people(const std::vector<std::string>& values) {
   return values.size() >= least_people && named * 10 >= values.size() * 9;
 }
 
-// Of so many values can be told whether a set is one of things.
+// Of so many values can be told whether a set is one of things, and of words
+// with so many letters whether a value is one.
 constexpr std::size_t enough_values = 100;
+constexpr std::size_t least_letters = 4;
 
 bool is_in_small_letters(const std::string& text) {
   return !text.empty() && text[0] >= 'a' && text[0] <= 'z';
@@ -86,14 +87,15 @@ SetId ValueIndex::add(const std::vector<std::string>& values) {
 }
 
 bool ValueIndex::has_things(SetId set) const {
-  const auto first = sets_[set].first;
+  const std::size_t first = sets_[set].first;
   const std::size_t last =
       set + 1U < sets_.size() ? sets_[set + 1U].first : values_.size();
-  const auto looked_at =
-      std::span(values_).subspan(first, std::min(last - first, enough_values));
-  const auto things = std::ranges::count_if(
-      looked_at, [&](const Entry& value) { return is_thing(value); });
-  return static_cast<std::size_t>(things) * 10 >= looked_at.size();
+  const auto step = std::max<std::size_t>(1, (last - first) / enough_values);
+  std::size_t all = 0;
+  std::size_t things = 0;
+  for (auto value = first; value < last; value += step, ++all)
+    things += is_thing(values_[value]) ? 1U : 0U;
+  return things * 4 >= all;
 }
 
 // Whether it has a word of a value that is written in small letters: where
@@ -115,7 +117,8 @@ void ValueIndex::add_value(const std::string& text, SetId set) {
     if (!is_light(words[at]))
       entry.heavy |= bit(at);
     words_.add(words[at], {number, bit(at)});
-    if (is_in_small_letters(text))
+    if (is_in_small_letters(text) && !is_light(words[at]) &&
+        words[at].size() >= least_letters)
       words_of_things_.insert(words[at]);
     if (at > 0)
       joined_.add(words[at - 1] + words[at],

@@ -70,7 +70,7 @@ public:
     return sets_[set].of_people;
   }
 
-  // Whether at least a tenth of its values have words of values that are
+  // Whether at least a quarter of its values have words of values that are
   // written in small letters, as shops have, and people do not.
   bool has_things(SetId set) const;
 

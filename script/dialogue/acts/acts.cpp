@@ -155,6 +155,7 @@ private:
     slot.text = string(given, act_key::text);
     slot.unmatched = flag(given, act_key::unmatched);
     slot.more = flag(given, act_key::more);
+    slot.heard = flag(given, act_key::heard);
     if (const auto& amount = given[act_key::amount];
         amount.if_integer() || amount.if_number())
       slot.amount = amount;
@@ -214,6 +215,8 @@ Value to_value(const SlotValue& slot) {
     map.set(act_key::amount, slot.amount);
   if (slot.more)
     map.set(act_key::more, true);
+  if (slot.heard)
+    map.set(act_key::heard, true);
   return map;
 }
 

@@ -26,12 +26,14 @@ struct SlotValue {
   std::string text;
   List candidates;
   bool unmatched = false;
-  Value amount = {}; // of a slot with several values; unknown: not said
-  bool more = false; // so many in addition
+  Value amount = {};  // of a slot with several values; unknown: not said
+  bool more = false;  // so many in addition
+  bool heard = false; // the words only sound like the value
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(slot, value, confidence, text, candidates, unmatched, amount, more);
+    archive(slot, value, confidence, text, candidates, unmatched, amount, more,
+            heard);
   }
 };
 

@@ -289,13 +289,15 @@ void FillingEvent::refuse(const std::vector<SlotId>& reads,
 }
 
 // (4) To say a value again is to confirm it, whether it was accepted before or
-// waits for a yes.
+// waits for a yes. What only sounds like it may be another name again.
 void FillingEvent::ground_value(SlotReport& report) {
   auto& slot = frame_.slots[report.slot];
   report.outcome = outcome_of_change(slot.previous, slot.value);
   // To say it again is to say yes.
+  const auto& offered = offer(report.slot);
   const bool known = report.outcome == SlotOutcome::unchanged ||
-                     offer(report.slot).doubted == slot.value;
+                     (offered.doubted == slot.value &&
+                      !(offered.change && offered.change->heard));
   const auto grounding = this->grounding(report.slot);
   if (grounding == Grounding::explicitly && !known) {
     slot.status = SlotStatus::unconfirmed;

@@ -133,6 +133,7 @@ struct FrameChange {
   bool unmatched = false; // words that stand where a value was expected
   Value amount{};         // of one of many values; unknown: not said
   bool more = false;      // so many in addition
+  bool heard = false;     // the words only sound like the value
   TopicStatus status = TopicStatus::active;
   Value asked{};
   std::vector<std::string> relaxed{};
@@ -143,7 +144,7 @@ struct FrameChange {
     archive.up_to(kind, Kind::reopen);
     archive.up_to(status, TopicStatus::cancelled);
     archive(slot, value, confidence, text, candidates, unmatched, amount, more,
-            asked, relaxed, keep);
+            heard, asked, relaxed, keep);
   }
 };
 

@@ -59,7 +59,7 @@ namespace parlour::dialogue {
 
 // To be raised with each change of what a part writes. Bytes of another version
 // are refused; there is no way to read older ones.
-inline constexpr std::uint8_t conversation_version = 8;
+inline constexpr std::uint8_t conversation_version = 9;
 
 // `Self` moves numbers, texts, values and shared objects; the rest is made of
 // these. It is Writer, Reader or RenamingWriter, which know what is not the

@@ -92,6 +92,7 @@ void Filling::note_changes(const steps::Fill& step,
     change.unmatched = value.unmatched;
     change.amount = value.amount;
     change.more = value.more;
+    change.heard = value.heard;
   }
 }
 

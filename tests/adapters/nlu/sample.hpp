@@ -71,6 +71,14 @@ sample_column(const std::string& name) {
   return fail(ErrorKind::database, "no such column");
 }
 
+// Every column has these: as many as are known as people.
+inline Expected<std::vector<std::string>> sample_people(const std::string&) {
+  return std::vector<std::string>{
+      "Koh Sok Hwee", "Katherine Neo", "Rajesh s/o Chandran", "Jeffery Ho",
+      "Grace Chen",   "Kelvin Palmer", "Priya Nair",          "Anand Menon",
+      "Rachel Lim",   "Adeline Foo"};
+}
+
 inline GrammarModel generic_grammar() {
   return *read_grammar(
       parlour::test::source_path("config/platform/generic-acts.jsgf"));

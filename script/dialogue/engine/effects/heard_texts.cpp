@@ -40,13 +40,14 @@ Value heard_texts(const Message& result) {
 }
 
 // A script that posts another text than was heard, such as a corrected one,
-// means that text and none of the alternatives.
+// means that text and none of the alternatives. It was heard all the same.
 Value with_heard(Value context, const Value& text, const Value& heard) {
   const auto* texts = heard.if_list();
-  if (!texts || texts->empty() || (*texts)[0] != text || !context.if_map())
+  if (!texts || texts->empty() || !context.if_map())
     return context;
   auto made = *context.if_map();
-  made.set("heard", List(texts->begin() + 1, texts->end()));
+  made.set("heard", (*texts)[0] == text ? List(texts->begin() + 1, texts->end())
+                                        : List());
   return made;
 }
 

@@ -11,8 +11,8 @@ namespace parlour::dialogue {
 // was heard, but typed.
 Value heard_texts(const Message& result);
 
-// The context of the understanding of `text`, with what else was heard, if it
-// is the likeliest of the texts `heard`.
+// The context of the understanding of `text`, with what else was heard:
+// nothing, if it is not the likeliest of the texts `heard`.
 Value with_heard(Value context, const Value& text, const Value& heard);
 
 } // namespace parlour::dialogue

@@ -7,7 +7,6 @@ namespace {
 constexpr const char* grammar = R"(
   public <ask> = is there @Facility.Category {act=request} {topic=Facility};
   public <meet> = with @db:staff.name {Host} {act=inform} {topic=Appointment};
-  public <near> = near @Facility.Name {act=request} {topic=Facility};
   public <words> = could need;)";
 
 // The values of a slot that a filter leaves, in their order.
@@ -38,16 +37,6 @@ TEST(IslandFilters, LeaveOutWhatIsNoName) {
   EXPECT_EQ(kept("is there postponed"), Lines());
   EXPECT_EQ(kept("is there anywhere I could need"), Lines());
   EXPECT_EQ(kept("is there a bank"), Lines{"bank"});
-}
-
-TEST(IslandFilters, LeaveOutWhatOnlySoundsLikeANameBesideAThing) {
-  const auto vague = [](std::vector<Island>& islands, Stages& stages) {
-    leave_out_vague_names(islands, stages.spans, stages.schema);
-  };
-  const auto kept = [&](const char* text) { return left("Name", text, vague); };
-  EXPECT_EQ(kept("near Starbecks"), Lines{"Starbecks"});
-  EXPECT_EQ(kept("is there a bank near Starbecks"), Lines());
-  EXPECT_EQ(kept("is there a bank near Starbucks"), Lines{"Starbucks"});
 }
 
 TEST(IslandFilters, LeaveOutOneOfSeveralBesideACertainOne) {

@@ -68,6 +68,25 @@ TEST(HeardTexts, AnotherFitsWhatWasAsked) {
   EXPECT_EQ(at("Taxi.Time").find("Facility"), std::string::npos);
 }
 
+TEST(HeardTexts, ANameThatOnlySoundsLikeOneIsDoubted) {
+  const auto engine = NluEngine::build(sample_model(), sample_people, {});
+  ASSERT_TRUE(engine);
+  const auto host = [&](const char* text, const Value& context) {
+    const auto acts = engine->understand(text, context).acts;
+    return acts.empty() ? Value() : acts[0][act_key::slots]["Host"];
+  };
+  const Value heard = Map{{"heard", List{}}};
+  const auto made = host("to see Koh Sok Hui", heard);
+  EXPECT_EQ(made[act_key::value], Value("Koh Sok Hwee"));
+  EXPECT_EQ(made[act_key::heard], Value(true));
+  EXPECT_LT(made[act_key::confidence].number_or(1), 0.7);
+  const auto typed = host("to see Koh Sok Hui", {});
+  EXPECT_NE(typed[act_key::value], Value("Koh Sok Hwee"));
+  const auto named = host("to see Jeffery Ho", heard);
+  EXPECT_EQ(named[act_key::value], Value("Jeffery Ho"));
+  EXPECT_TRUE(named[act_key::heard].is_unknown());
+}
+
 TEST(HeardTexts, AFewAreLookedAt) {
   List many;
   for (int i = 0; i < 50; ++i)

@@ -57,7 +57,7 @@ TEST(ValueIndex, TellsThingsFromPeople) {
   ValueIndex index;
   const auto shops = index.add({"Harbour Coffee", "Bright Steps", "Ya Kun"});
   EXPECT_FALSE(index.has_things(shops));
-  const auto kinds = index.add({"coffee shop", "bank"});
+  const auto kinds = index.add({"coffee shop", "bank", "tan", "recycling bin"});
   const auto people = index.add({"Jeffery Ho", "Tan Wei Ming"});
   EXPECT_TRUE(index.has_things(shops));
   EXPECT_TRUE(index.has_things(kinds));

@@ -142,6 +142,7 @@ TEST(Acts, AreTheSameAfterAWayThroughAValue) {
   place.candidates = {"A", "B"};
   place.text = "that place";
   place.unmatched = true;
+  time.heard = true;
   act.slots = {time, place};
   act.alternatives.resize(1);
   auto parsed = parse_acts(to_value(act));
@@ -150,6 +151,8 @@ TEST(Acts, AreTheSameAfterAWayThroughAValue) {
   EXPECT_EQ(to_value(parsed.acts[0]), to_value(act));
   EXPECT_EQ(parsed.acts[0].slots[1].candidates, place.candidates);
   EXPECT_TRUE(parsed.acts[0].slots[1].unmatched);
+  EXPECT_TRUE(parsed.acts[0].slots[0].heard);
+  EXPECT_FALSE(parsed.acts[0].slots[1].heard);
 }
 
 } // namespace

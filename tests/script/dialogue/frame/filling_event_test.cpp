@@ -227,6 +227,15 @@ TEST_F(Filling, ToSayItAgainIsToSayYes) {
   EXPECT_EQ(slot(name).status, SlotStatus::filled);
 }
 
+TEST_F(Filling, ToSayWhatOnlySoundsLikeItIsToSayNothing) {
+  auto heard = fill(name, "David", 0.6);
+  heard.heard = true;
+  change({heard});
+  EXPECT_EQ(ordered(change({heard})), (List{"unconfirmed"}));
+  EXPECT_EQ(slot(name).status, SlotStatus::unconfirmed);
+  EXPECT_EQ(ordered(change({fill(name, "David", 0.6)})), (List{"accepted"}));
+}
+
 TEST_F(Filling, AFairlySureValueIsMarked) {
   change({fill(name, "David", 0.8), fill(start, "10:00", Value())});
   EXPECT_TRUE(slot(name).implicit);

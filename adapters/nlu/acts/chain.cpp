@@ -100,7 +100,7 @@ private:
       const auto before = ends_[end].node;
       const auto last = nodes_[before].link;
       if (island.weak && !may_be_meant(island, last) &&
-          !contrasts(before, island))
+          !contrasts(before, island) && !goes_with_answer(island, last))
         continue;
       if (!island.is_content()) {
         append(before, {&island, last.topic}, 0);
@@ -136,6 +136,17 @@ private:
            std::ranges::any_of(island.fills, [&](const Fill& fill) {
              return last.island->find(fill.slot) != nullptr;
            });
+  }
+
+  // "In which room?" "The bathroom. 24.": the last thing said, right behind the
+  // answer, for another slot of what is asked about.
+  bool goes_with_answer(const Island& island, const ChainLink& last) const {
+    return last.island && last.topic == context_.asked_topic &&
+           last.topic != no_topic && island.begin == last.island->end &&
+           island.end + 1 == lists_.size() &&
+           last.island->find(context_.asked_slot) &&
+           !island.find(context_.asked_slot) &&
+           std::ranges::find(island.topics, last.topic) != island.topics.end();
   }
 
   // What an island gets for being expected (understanding, "Score"), minus the

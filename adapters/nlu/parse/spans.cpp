@@ -224,10 +224,12 @@ Spans::Indices Spans::all_at(std::size_t position) const {
 Spans::Indices Spans::at(EntityId entity, std::size_t position) const {
   if ((entities_[position] & entity_bit(entity)) == 0)
     return {};
-  const auto found = std::ranges::equal_range(
-      all_at(position), entity, {},
-      [&](std::uint32_t index) { return spans_[index].entity; });
-  return Indices(found.begin(), found.end());
+  const auto entity_of = [&](std::uint32_t index) {
+    return spans_[index].entity;
+  };
+  const auto here = all_at(position);
+  return Indices(std::ranges::lower_bound(here, entity, {}, entity_of),
+                 std::ranges::upper_bound(here, entity, {}, entity_of));
 }
 
 // Whether a value of this entity begins in [first, last).

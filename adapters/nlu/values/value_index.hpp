@@ -74,9 +74,6 @@ public:
   // written in small letters, as shops have, and people do not.
   bool has_things(SetId set) const;
 
-  std::size_t sets() const {
-    return sets_.size();
-  }
   // Of each value, if the set has people; else empty.
   const std::vector<NameSounds>& sounds(SetId set) const {
     return sets_[set].sounds;

@@ -100,6 +100,20 @@ TEST(Chain, TakesAWeakIslandAfterALeadInWhereItIsExpected) {
   EXPECT_EQ(best({and_what, third}, 2, context), "0-1:- 1-2:1");
 }
 
+TEST(Chain, TakesAWeakIslandThatEndsWhatIsSaidBehindAnAnswer) {
+  const auto room = island(0, 1, 1, {0}, "Room");
+  auto degrees = island(1, 2, 0.7, {0}, "Degrees");
+  degrees.weak = true;
+  Context context;
+  context.asked_topic = 0;
+  context.asked_slot = "Room";
+  EXPECT_EQ(best({room, degrees}, 2, context), "0-1:0 1-2:0");
+  EXPECT_EQ(best({room, degrees}, 2), "0-1:0");
+  EXPECT_EQ(best({room, degrees}, 3, context), "0-1:0"); // something follows
+  context.asked_slot = "Floor";
+  EXPECT_EQ(best({room, degrees}, 2, context), "0-1:0"); // no answer
+}
+
 TEST(Chain, DoesNotSayASlotTwiceUnlessItIsCorrected) {
   const auto three = island(0, 1, 1, {0}, "Time");
   const auto four = island(2, 3, 0.5, {0}, "Time");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <string_view>
 #include <tuple>
@@ -171,7 +172,7 @@ void Spans::add_values(const std::vector<EntityId>& entities) {
 // Where no name is said as it is. They count only where a name is expected, as
 // much as they sound like it, and are asked back about.
 void Spans::add_heard_names(const std::vector<EntityId>& entities) {
-  const auto known = spans_.size();
+  const auto known = std::ssize(spans_);
   for (const auto entity : entities)
     if (is_set(entity))
       for (auto& match :

@@ -144,13 +144,11 @@ private:
              });
     std::size_t unlike = 0;
     for (std::size_t at = 0; at < words.size(); ++at)
-      unlike += sounds_alike(phones_of(words[at]), phones_of(others[at])) <
-                        least_of_a_word
-                    ? 1U
-                    : 0U;
-    const auto may_be_unlike = words.size() < 3 ? 0U : 1U;
-    return unlike <= may_be_unlike ||
-           (words.size() >= 3 && alike >= least_of_many_words);
+      if (sounds_alike(phones_of(words[at]), phones_of(others[at])) <
+          least_of_a_word)
+        ++unlike;
+    return unlike == 0 ||
+           (words.size() >= 3 && (unlike == 1 || alike >= least_of_many_words));
   }
 
   const ValueIndex& index_;

@@ -203,17 +203,11 @@ private:
            (raw_.size() == 1 || text_[at_ - 2] == '.');
   }
 
-  // Adds the word. A contraction becomes two tokens, which share the bytes of
-  // the text at the apostrophe; a possessive loses its "'s".
+  // Adds the word. A contraction becomes the tokens that it means, which share
+  // the bytes of the text at the apostrophe; a possessive loses its "'s".
   void push() {
-    if (const auto expanded = contraction(raw_); !expanded.empty()) {
-      const auto blank = expanded.find(' ');
-      const auto middle = middle_of_contraction();
-      push(std::string(expanded.substr(0, blank)), begin_, middle);
-      break_ = Break::none;
-      push(std::string(expanded.substr(blank + 1)), middle, at_);
-      return;
-    }
+    if (const auto meant = contraction(raw_); !meant.empty())
+      return push_all(meant);
     // "Ho's" is Ho. "What floor's the bank on" and "the toilet's blocked" have
     // no possessive.
     if (raw_.size() > 2 && raw_.ends_with("'s")) {
@@ -228,6 +222,19 @@ private:
     std::erase(raw_, '\'');
     if (!raw_.empty())
       push(raw_, begin_, at_);
+  }
+
+  void push_all(std::string_view words) {
+    const auto middle = middle_of_contraction();
+    for (auto begin = begin_;; begin = middle) {
+      const auto blank = words.find(' ');
+      const bool is_last = blank == std::string_view::npos;
+      push(std::string(words.substr(0, blank)), begin, is_last ? at_ : middle);
+      if (is_last)
+        return;
+      break_ = Break::none;
+      words.remove_prefix(blank + 1);
+    }
   }
 
   // "what time's dinner"

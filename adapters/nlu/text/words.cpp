@@ -67,7 +67,7 @@ const Words& function_words() {
 }
 
 // Longer phrases need not come first: every phrase that matches is marked.
-constexpr std::array<std::string_view, 33> fillers{"on second thoughts",
+constexpr std::array<std::string_view, 35> fillers{"on second thoughts",
                                                    "on second thought",
                                                    "er",
                                                    "erm",
@@ -99,13 +99,16 @@ constexpr std::array<std::string_view, 33> fillers{"on second thoughts",
                                                    "basically",
                                                    "damn",
                                                    "goddamn",
-                                                   "flipping"};
+                                                   "flipping",
+                                                   "lol",
+                                                   "haha"};
 
 struct Contraction {
   std::string_view word;
   std::string_view meant;
 };
-// With and without apostrophe, as speech recognisers write both.
+// With and without apostrophe, as speech recognisers write both; and as people
+// type.
 const WordMap<std::string_view>& contractions() {
   static const WordMap<std::string_view> table{
       {"i'm", "i am"},          {"im", "i am"},
@@ -133,6 +136,13 @@ const WordMap<std::string_view>& contractions() {
       {"arent", "are not"},     {"wasnt", "was not"},
       {"youre", "you are"},     {"youve", "you have"},
       {"theyre", "they are"},   {"weve", "we have"},
+      {"aint", "is not"},       {"ain't", "is not"},
+      {"y'all", "you all"},     {"yall", "you all"},
+      {"gotta", "have to"},     {"dunno", "do not know"},
+      {"gimme", "give me"},     {"lemme", "let me"},
+      {"innit", "is not it"},   {"btw", "by the way"},
+      {"smth", "something"},    {"tmrw", "tomorrow"},
+      {"pls", "please"},        {"plz", "please"},
   };
   return table;
 }

@@ -23,6 +23,8 @@ TEST(Tokens, AreWordsInLowerCase) {
 TEST(Tokens, ExpandContractions) {
   EXPECT_EQ(words("I'm here, what's that? It’s"),
             "i am here what is that it is");
+  EXPECT_EQ(words("gimme smth else pls, it ain't here"),
+            "give me something else please it is not here");
 }
 
 TEST(Tokens, TellAPossessiveFromAVerb) {

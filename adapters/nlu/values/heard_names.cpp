@@ -26,6 +26,9 @@ constexpr double least_of_many_words = 0.85;
 // Which others are as good.
 constexpr double as_good = 0.06;
 constexpr std::size_t most_names = 3;
+// How alike the rest of a name must be beside a word of it that is as written,
+// where the rest is nobody's: "Lorraine Gove".
+constexpr double least_of_the_rest = 0.6;
 // A long name speaks for itself more than a short one, by each sound that is
 // more alike than this.
 constexpr double of_no_worth = 0.7;
@@ -104,18 +107,22 @@ private:
     }
   }
 
+  using Found = std::vector<std::pair<double, std::uint32_t>>;
+
   void compare(ValueMatch match, const std::vector<std::string>& words) {
     const auto heard = sounds_of_name(words);
     if (heard.phones.size() < least_sounds)
       return;
     --runs_left_;
-    std::vector<std::pair<double, std::uint32_t>> found;
+    Found found;
     for (std::uint32_t name = 0; name < names_.size(); ++name)
       if (may_be_alike(heard, names_[name]))
         if (const auto alike =
                 sounds_alike(heard.phones, names_[name].phones, least_alike);
             alike >= least_alike && may_be(words, name, alike))
           found.emplace_back(-alike, name);
+    if (found.empty())
+      found = beside_the_first(words, match);
     if (found.empty())
       return;
     std::ranges::sort(found);
@@ -127,6 +134,33 @@ private:
     const auto evidence =
         (match.confidence - of_no_worth) * double(heard.phones.size());
     heard_.push_back({std::move(match), evidence});
+  }
+
+  // Names that begin with the first of these words, of which the others are no
+  // words of names.
+  Found beside_the_first(const std::vector<std::string>& words,
+                         const ValueMatch& run) const {
+    Found found;
+    if (words.size() < 2 || !index_.has_word(words[0]))
+      return found;
+    for (std::size_t at = 1; at < words.size(); ++at)
+      if (plain_[run.begin + at] || joins_names(words[at]) ||
+          index_.has_word(words[at]))
+        return found;
+    const auto rest = sounds_of_name({words.begin() + 1, words.end()}).phones;
+    for (std::uint32_t name = 0; name < names_.size(); ++name) {
+      std::vector<std::string> others;
+      for (auto& token : tokenize(index_.value(set_, name)).list)
+        if (!is_title(token.word))
+          others.push_back(std::move(token.word));
+      if (others.size() < 2 || others[0] != words[0])
+        continue;
+      const auto alike = sounds_alike(
+          rest, sounds_of_name({others.begin() + 1, others.end()}).phones);
+      if (alike >= least_of_the_rest)
+        found.emplace_back(-alike, name);
+    }
+    return found;
   }
 
   bool may_be(std::vector<std::string> words, std::uint32_t name,

@@ -12,7 +12,8 @@ namespace {
 const std::vector<std::string> staff{
     "Rajesh s/o Chandran",  "Quek Xue Qing", "Koh Sok Hwee", "Katherine Neo",
     "Catherine Neo",        "Koh Ming Hui",  "Goh Ming Hui", "Jeffery Ho",
-    "Devi d/o Govindasamy", "Kelvin Palmer", "Grace Chen",   "Ng Eng Hng"};
+    "Devi d/o Govindasamy", "Kelvin Palmer", "Grace Chen",   "Ng Eng Hng",
+    "Lorraine Goh"};
 
 // The names found, each behind its words, candidates joined by "|". Words that
 // grammars use are "plain".
@@ -53,6 +54,15 @@ TEST(HeardNames, AreAlikeInEachOfAsManyWords) {
   EXPECT_EQ(heard("Jonathan Palmer"), "");
   // One of three may be otherwise.
   EXPECT_EQ(heard("Wen Xue Qing"), "Wen Xue Qing=Quek Xue Qing");
+}
+
+TEST(HeardNames, AreOfThoseWhoseFirstWordWasHeard) {
+  EXPECT_EQ(heard("Lorraine Gove"), "Lorraine Gove=Lorraine Goh");
+  EXPECT_EQ(heard("Lorraine Marsh"), "");
+  EXPECT_EQ(heard("Lorraine Ho"), ""); // somebody else's
+  EXPECT_EQ(heard("Gove Lorraine"), "");
+  const std::vector<std::string> plain{"gove"};
+  EXPECT_EQ(heard("Lorraine Gove", staff, plain), "");
 }
 
 TEST(HeardNames, AreNotWhatSoundsUnlike) {

@@ -220,6 +220,14 @@ private:
 
 } // namespace
 
+double Chain::coverage(const Utterance& utterance) const {
+  double covered = 0;
+  for (const auto& link : links)
+    covered += link.island->covered;
+  const auto all = utterance.weight_of(0, utterance.size());
+  return all > 0 ? covered / all : 0;
+}
+
 std::vector<Chain> best_chains(const std::vector<Island>& islands,
                                std::size_t size, const Context& context) {
   return ChainSearch(islands, size, context).run();

@@ -15,6 +15,9 @@ struct ChainLink {
 
 // A sequence of islands, from left to right.
 struct Chain {
+  // The share of the utterance that its islands cover, by weight.
+  double coverage(const Utterance& utterance) const;
+
   std::vector<ChainLink> links; // in order
   double score = 0;
 };

@@ -45,16 +45,6 @@ constexpr double likely_by_itself = 0.7;
 constexpr double likely_beside_others = 0.9;
 // Where rules understood less of a question, it may be read by itself.
 constexpr double mostly_understood = 0.75;
-// What one sentence must reach by itself, where all together say nothing.
-constexpr double surely_said = 0.6;
-
-double coverage_of(const Chain& chain, const Utterance& utterance) {
-  double covered = 0;
-  for (const auto& link : chain.links)
-    covered += link.island->covered;
-  const auto all = utterance.weight_of(0, utterance.size());
-  return all > 0 ? covered / all : 0;
-}
 
 } // namespace
 
@@ -328,13 +318,13 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   Understanding made;
   made.is_learnt = guessed;
   made.work = matcher.work();
-  made.coverage = guessed ? 0 : coverage_of(chains[0], utterance);
+  made.coverage = guessed ? 0 : chains[0].coverage(utterance);
   if (explain)
     made.explanation =
         self.explain(utterance, spans, islands, chains, acts, is_other);
   for (const auto& act : acts)
     self.add(act, utterance, spans, made);
-  read_sentences(sentences_apart(meant, acts), acts, context_value, made);
+  read_sentences(meant, acts, context_value, made);
   // Alternatives come from the source that was chosen.
   if (guessed)
     add_alternatives(made, {{hypotheses.begin() + 1, hypotheses.end()}, false},
@@ -347,13 +337,16 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
 }
 
 // Sentences of which rules understood nothing, or what was learnt knows better.
-void NluEngine::read_sentences(const std::vector<SentenceApart>& sentences,
+void NluEngine::read_sentences(const Utterance& meant,
                                const std::vector<BuiltAct>& acts,
                                const Value& context_value,
                                Understanding& made) const {
-  if (sentences.empty() || made.is_learnt ||
-      !implementation_->taught->learned.is_well_taught())
+  const auto sentences =
+      sentences_apart(meant, made.is_learnt ? std::vector<BuiltAct>() : acts);
+  if (sentences.empty() || !implementation_->taught->learned.is_well_taught())
     return;
+  if (made.is_learnt)
+    return read_alone(sentences, context_value, made);
   const bool any_says_what = std::ranges::any_of(
       acts, [](const BuiltAct& act) { return act.topic != no_topic; });
   const auto context = read_context(context_value, implementation_->schema);
@@ -384,17 +377,21 @@ void NluEngine::read_sentences(const std::vector<SentenceApart>& sentences,
     read_alone(sentences, context_value, made);
 }
 
-// "Not before evening? Then a coffee it is": by rules, and courtesies aside.
+// "Not before evening? Then a coffee it is": by rules, and courtesies aside. Or
+// beside a question that was learnt: "My booking number is 4733. Could you
+// check which room I've got?"
 void NluEngine::read_alone(const std::vector<SentenceApart>& sentences,
                            const Value& context, Understanding& made) const {
+  List alone;
   for (const auto& sentence : sentences)
     if (auto one = read(sentence.text, context, false); !one.is_learnt)
       for (auto& act : one.acts)
-        if (const auto score = act[act_key::confidence].number_or(0);
-            score >= surely_said && !act[act_key::topic].is_unknown()) {
-          made.score = std::max(made.score, score);
-          made.acts.push_back(std::move(act));
+        if (is_said_alone(act, made.acts)) {
+          made.score =
+              std::max(made.score, act[act_key::confidence].number_or(0));
+          alone.push_back(std::move(act));
         }
+  made.acts.insert(made.acts.begin(), alone.begin(), alone.end());
 }
 
 } // namespace parlour::adapters::nlu

@@ -24,6 +24,7 @@ namespace parlour::adapters::nlu {
 
 struct BuiltAct;
 struct SentenceApart;
+struct Utterance;
 
 // Immutable; any number of threads may use it. Copies share what was built.
 class NluEngine {
@@ -72,8 +73,7 @@ private:
 
   Understanding read(std::string_view text, const Value& context,
                      bool explain) const;
-  void read_sentences(const std::vector<SentenceApart>& sentences,
-                      const std::vector<BuiltAct>& acts,
+  void read_sentences(const Utterance& meant, const std::vector<BuiltAct>& acts,
                       const Value& context_value, Understanding& made) const;
   void read_alone(const std::vector<SentenceApart>& sentences,
                   const Value& context, Understanding& made) const;

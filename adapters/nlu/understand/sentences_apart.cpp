@@ -11,6 +11,9 @@ namespace parlour::adapters::nlu {
 namespace {
 
 constexpr std::uint32_t least_question = 3; // words
+// How sure an act must be.
+constexpr double surely_said = 0.6;
+constexpr double certainly_said = 0.9;
 
 // "Do not forget the towels" and "Will Smith is here" are none.
 bool begins_question(std::string_view first, std::string_view second) {
@@ -65,6 +68,16 @@ std::vector<SentenceApart> sentences_apart(const Utterance& utterance,
       apart.push_back(std::move(one));
   }
   return apart;
+}
+
+bool is_said_alone(const Value& act, const List& learnt) {
+  const auto score = act[act_key::confidence].number_or(0);
+  const auto& topic = act[act_key::topic];
+  if (topic.is_unknown() || learnt.empty())
+    return !topic.is_unknown() && score >= surely_said;
+  const auto* slots = act[act_key::slots].if_map();
+  return score >= certainly_said && !act[act_key::elliptical] && slots &&
+         !slots->empty() && topic != learnt.front()[act_key::topic];
 }
 
 } // namespace parlour::adapters::nlu

@@ -9,6 +9,7 @@
 
 #include "adapters/nlu/grammar/utterance.hpp"
 #include "adapters/nlu/parse/built_act.hpp"
+#include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -25,5 +26,10 @@ struct SentenceApart {
 // an act has words of others, too.
 std::vector<SentenceApart> sentences_apart(const Utterance& utterance,
                                            const std::vector<BuiltAct>& acts);
+
+// Whether this act, which rules understood in one sentence, is said beside what
+// was learnt of all together: certainly, with values, and about something else;
+// or, where nothing was, surely.
+bool is_said_alone(const Value& act, const List& learnt);
 
 } // namespace parlour::adapters::nlu

@@ -132,5 +132,16 @@ TEST(Chain, ThereIsOneForEachTopicBestFirst) {
   EXPECT_GT(chains[0].score, chains[1].score);
 }
 
+TEST(Chain, TellsHowMuchItCovers) {
+  const Automaton automaton;
+  const auto utterance = make_utterance("zork bank", automaton);
+  auto zork = island(0, 1, 1, {0});
+  zork.covered = utterance.weight_of(0, 1);
+  const Chain chain{{{&zork, 0}}, 1};
+  EXPECT_DOUBLE_EQ(chain.coverage(utterance), 0.5);
+  EXPECT_DOUBLE_EQ(Chain().coverage(utterance), 0);
+  EXPECT_DOUBLE_EQ(chain.coverage(make_utterance("", automaton)), 0);
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

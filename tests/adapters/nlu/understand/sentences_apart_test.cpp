@@ -63,5 +63,29 @@ TEST(SentencesApart, AreQuestionsAlsoWithoutAMark) {
       ElementsAre("Zork 0", "Do you zork them 0?", "Do not zork them 0"));
 }
 
+Value act_of(const char* topic, double confidence, Map slots,
+             bool elliptical = false) {
+  return Value(Map{{act_key::topic, topic},
+                   {act_key::confidence, confidence},
+                   {act_key::slots, Value(std::move(slots))},
+                   {act_key::elliptical, elliptical}});
+}
+
+TEST(SentencesApart, AreSaidAloneWhereNothingElseIs) {
+  EXPECT_TRUE(is_said_alone(act_of("Bank", 0.6, {}), {}));
+  EXPECT_FALSE(is_said_alone(act_of("Bank", 0.5, {}), {}));
+  EXPECT_FALSE(is_said_alone(Value(Map{{act_key::confidence, 1.0}}), {}));
+}
+
+TEST(SentencesApart, AreSaidBesideWhatWasLearntIfTheySayMore) {
+  const List learnt{act_of("Told", 0.7, {})};
+  const Map number{{"Number", 4733}};
+  EXPECT_TRUE(is_said_alone(act_of("Booking", 1, number), learnt));
+  EXPECT_FALSE(is_said_alone(act_of("Told", 1, number), learnt));
+  EXPECT_FALSE(is_said_alone(act_of("Booking", 0.8, number), learnt));
+  EXPECT_FALSE(is_said_alone(act_of("Booking", 1, {}), learnt));
+  EXPECT_FALSE(is_said_alone(act_of("Booking", 1, number, true), learnt));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

@@ -224,23 +224,4 @@ std::vector<float> SentenceEncoder::encode(std::string_view text) const {
   return made;
 }
 
-std::size_t SentenceEncoder::remembered() const {
-  const std::lock_guard lock(mutex_);
-  return remembered_.size();
-}
-
-// No lock is held while a text is encoded, which takes long.
-std::vector<float> SentenceEncoder::remember(const std::string& text) const {
-  {
-    const std::lock_guard lock(mutex_);
-    if (const auto found = remembered_.find(text); found != remembered_.end())
-      return found->second;
-  }
-  auto made = encode(text);
-  const std::lock_guard lock(mutex_);
-  if (remembered_.size() >= most_remembered)
-    remembered_.clear();
-  return remembered_.try_emplace(text, std::move(made)).first->second;
-}
-
 } // namespace parlour::adapters::nlu

@@ -9,12 +9,11 @@
 //  const auto numbers = (*encoder)->encode("i need a taxi");
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "adapters/nlu/encoder/dense.hpp"
@@ -26,8 +25,6 @@ namespace parlour::adapters::nlu {
 // Any number of threads may use it.
 class SentenceEncoder {
 public:
-  static constexpr std::size_t most_remembered = 4096;
-
   // The file: "PARLOURS", the pieces of words, a ByteTable with the numbers of
   // each piece, a count of layers, each layer, and the Dense layer that makes
   // the numbers of the sentence. Errors are of kind File.
@@ -38,12 +35,14 @@ public:
   // first 128 pieces count. The same text gives the same numbers.
   std::vector<float> encode(std::string_view text) const;
 
-  // The same, and kept for the next time: what is learnt from examples is
-  // learnt again whenever a table has changed.
-  std::vector<float> remember(const std::string& text) const;
-  // How many texts are kept; never more than most_remembered.
-  std::size_t remembered() const;
-
+  // How many numbers it makes of a text.
+  std::size_t width() const {
+    return last_.outputs();
+  }
+  // A hash of its file.
+  std::uint64_t sum() const {
+    return sum_;
+  }
   // Encoders of the same file are the same.
   bool operator==(const SentenceEncoder& other) const {
     return sum_ == other.sum_;
@@ -87,8 +86,6 @@ private:
   std::vector<Layer> layers_;
   Dense last_;
   std::uint64_t sum_ = 0; // of the file
-  mutable std::mutex mutex_;
-  mutable std::unordered_map<std::string, std::vector<float>> remembered_;
 };
 
 } // namespace parlour::adapters::nlu

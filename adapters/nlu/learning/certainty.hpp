@@ -22,7 +22,7 @@ public:
 
   // For many texts beside many that are about nothing, where holding some out
   // would take as long as learning does.
-  static Certainty of_many();
+  static Certainty of_many(Evidence evidence);
 
   // Such that of the texts which are told right, 39 of 40 reach `threshold`.
   Certainty(const std::vector<HeldOutText>& texts, double threshold);

@@ -23,8 +23,10 @@ constexpr float bias_input = 0.1F;
 constexpr float weight_of_kind = 3;
 // How much a text's meaning counts beside all its features.
 constexpr float weight_of_meaning = 0.7F;
-// The same for what it means as a whole.
+// The same for what it means as a whole, and among many texts, which have most
+// words themselves.
 constexpr float weight_of_sentence = 1.5F;
+constexpr float weight_of_sentence_among_many = 0.6F;
 // With so many texts, features that occur in only one of them are left out.
 constexpr std::size_t many_texts = 2000;
 // Labels that are worked on at once.
@@ -42,8 +44,8 @@ public:
       : made_(made), texts_(texts), factors_(texts.size()),
         scores_(made.stride_) {
     for (const auto& text : texts) {
-      inputs_.push_back(made.inputs(text.features));
-      inputs_.back().push_back(made.bias());
+      features_.push_back(made.features(text.features));
+      features_.back().push_back(made.bias());
     }
   }
 
@@ -62,15 +64,16 @@ private:
   };
 
   void learn(std::size_t at) {
-    const auto& inputs = inputs_[at];
+    inputs_ = features_[at];
+    made_.add_meanings(texts_[at].features, inputs_);
     std::ranges::fill(scores_, 0.0F);
-    made_.add_scores(inputs, scores_.data());
+    made_.add_scores(inputs_, scores_.data());
     float length = 0;
-    for (const auto& input : inputs)
+    for (const auto& input : inputs_)
       length += input.value * input.value;
     moves_.clear();
     factors_[at] = stepped(factors_[at], texts_[at].label, length);
-    for (const auto& input : inputs)
+    for (const auto& input : inputs_)
       for (auto* row = made_.row(input.feature); const auto& move : moves_)
         row[move.label] += move.value * input.value;
   }
@@ -100,7 +103,9 @@ private:
 
   Classifier& made_;
   const std::vector<LabelledText>& texts_;
-  std::vector<std::vector<Classifier::Input>> inputs_;
+  // By text; without the numbers of meanings, which are hundreds.
+  std::vector<std::vector<Classifier::Input>> features_;
+  std::vector<Classifier::Input> inputs_; // of one text
   // By text; sorted by label.
   std::vector<std::vector<Factor>> factors_;
   std::vector<float> scores_;
@@ -124,7 +129,10 @@ Classifier::train(const std::vector<LabelledText>& texts, std::uint32_t labels,
 // log(texts + 1) - log(count + 1).
 void Classifier::number_features(const std::vector<LabelledText>& texts,
                                  Evidence evidence) {
-  const std::uint32_t needed = texts.size() < many_texts ? 1 : 2;
+  const bool are_many = texts.size() >= many_texts;
+  const std::uint32_t needed = are_many ? 2 : 1;
+  weight_of_sentence_ =
+      are_many ? weight_of_sentence_among_many : weight_of_sentence;
   std::unordered_map<Feature, std::uint32_t> counts;
   for (const auto& text : texts) {
     for (const auto feature : text.features.features)
@@ -143,9 +151,9 @@ void Classifier::number_features(const std::vector<LabelledText>& texts,
 
 // The features as a vector of length 1, weighted by rarity. Unknown features
 // count for the length but have no entry, so that a text full of them scores
-// low everywhere. The meanings are vectors beside it.
+// low everywhere.
 std::vector<Classifier::Input>
-Classifier::inputs(const TextFeatures& text) const {
+Classifier::features(const TextFeatures& text) const {
   std::vector<Input> made;
   float sum = 0;
   for (const auto feature : text.features) {
@@ -162,6 +170,12 @@ Classifier::inputs(const TextFeatures& text) const {
   }
   for (auto& input : made)
     input.value /= std::sqrt(sum);
+  return made;
+}
+
+// The meanings are vectors beside the features.
+void Classifier::add_meanings(const TextFeatures& text,
+                              std::vector<Input>& made) const {
   const auto add = [&](const std::vector<float>& numbers, std::size_t first,
                        std::size_t most, float weight) {
     for (std::size_t at = 0; at < std::min(most, numbers.size()); ++at)
@@ -169,8 +183,8 @@ Classifier::inputs(const TextFeatures& text) const {
           {static_cast<FeatureNumber>(first + at), weight * numbers[at]});
   };
   add(text.meaning, table_.size(), meanings_, weight_of_meaning);
-  add(text.sentence, table_.size() + meanings_, sentences_, weight_of_sentence);
-  return made;
+  add(text.sentence, table_.size() + meanings_, sentences_,
+      weight_of_sentence_);
 }
 
 Classifier::Input Classifier::bias() const {
@@ -193,10 +207,10 @@ void Classifier::add_scores(const std::vector<Input>& inputs,
 
 TextReading Classifier::read(const TextFeatures& features) const {
   TextReading made;
-  auto all = inputs(features);
+  auto all = this->features(features);
   for (const auto& input : all)
-    if (input.feature < table_.size())
-      made.known += input.value * input.value;
+    made.known += input.value * input.value;
+  add_meanings(features, all);
   all.push_back(bias());
   made.scores.resize(stride_);
   add_scores(all, made.scores.data());

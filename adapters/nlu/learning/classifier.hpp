@@ -61,7 +61,8 @@ private:
 
   void number_features(const std::vector<LabelledText>& texts,
                        Evidence evidence);
-  std::vector<Input> inputs(const TextFeatures& text) const;
+  std::vector<Input> features(const TextFeatures& text) const;
+  void add_meanings(const TextFeatures& text, std::vector<Input>& made) const;
   // Adds to `scores`, which has `stride_` entries.
   void add_scores(const std::vector<Input>& inputs, float* scores) const;
   std::size_t rows() const {
@@ -82,6 +83,8 @@ private:
   // The numbers of a meaning, and of a sentence; 0 if no text has one.
   std::size_t meanings_ = 0;
   std::size_t sentences_ = 0;
+  // How much a sentence counts beside all its features.
+  float weight_of_sentence_ = 0;
   // One row for each feature with a weight for each label, then one for each
   // number of the meaning and of the sentence; the last row is the bias.
   std::vector<float> weights_;

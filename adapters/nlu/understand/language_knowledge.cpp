@@ -1,8 +1,12 @@
 #include "adapters/nlu/understand/language_knowledge.hpp"
 
+#include <cstdlib>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 
+#include "adapters/nlu/encoder/known_sentences.hpp"
 #include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::adapters::nlu {
@@ -13,6 +17,11 @@ template <class Knowledge>
 bool same(const std::shared_ptr<const Knowledge>& left,
           const std::shared_ptr<const Knowledge>& right) {
   return left == right || (left && right && *left == *right);
+}
+
+std::optional<std::string> of_process(const char* name) {
+  const auto* value = std::getenv(name);
+  return value && *value ? std::optional<std::string>(value) : std::nullopt;
 }
 
 } // namespace
@@ -45,7 +54,8 @@ LanguageKnowledge LanguageStore::read(const std::filesystem::path& platform,
   const std::lock_guard lock(mutex_);
   auto vectors = read(vectors_, platform / "words.vectors", errors);
   return {std::move(vectors),
-          read(encoder_, platform / "sentences.encoder", errors)};
+          read(encoder_, platform / "sentences.encoder", errors),
+          known_sentences_file(of_process)};
 }
 
 LanguageStore& language_store() {

@@ -19,6 +19,8 @@ struct LanguageKnowledge {
   std::shared_ptr<const WordVectors> vectors = {};
   // By which sentences that mean the same are understood; may be none.
   std::shared_ptr<const SentenceEncoder> encoder = {};
+  // Where it is kept what the encoder makes of texts; empty: nowhere.
+  std::filesystem::path known_sentences = {};
 
   // The same if their files are.
   bool operator==(const LanguageKnowledge& other) const;

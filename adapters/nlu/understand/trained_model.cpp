@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "adapters/nlu/encoder/known_sentences.hpp"
 #include "adapters/nlu/understand/learning_words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -19,8 +20,10 @@ constexpr std::size_t many_texts = 300;
 constexpr std::size_t very_many_texts = 2000;
 // Of the words, beside grammars.
 constexpr float mostly_known = 0.5F;
-// From this probability on, the encoder is not asked.
+// From this probability on, the encoder is not asked; nor of fewer words, which
+// mean too much without others.
 constexpr float sure = 0.9F;
+constexpr std::size_t least_words = 3;
 // Beside grammars, examples are few, and many sentences are about nothing that
 // they are about: one is only taken for what it is like. Between these
 // likenesses to the most similar example, probabilities go from 0 to 1.
@@ -84,10 +87,10 @@ private:
                       " meanings are too many to be learnt; leave out "
                       "examples, or write one topic for several");
     learned_.by_words_.classifier = std::move(*classifier);
-    if (learned_.language_.encoder && texts.size() <= limits_.sentences)
+    if (reads_sentences())
       learn_sentences(labels);
     if (lessons_.are_many)
-      learned_.by_words_.certainty = Certainty::of_many();
+      trust_many();
     else if (texts.size() >= many_texts)
       settle(labels, threshold);
     // Frees the memory before the tagger needs it.
@@ -95,18 +98,34 @@ private:
     return {};
   }
 
+  bool reads_sentences() const {
+    const auto& language = learned_.language_;
+    return language.encoder && (!language.known_sentences.empty() ||
+                                lessons_.texts.size() <= limits_.sentences);
+  }
+
   void learn_sentences(std::uint32_t labels) {
     auto& texts = lessons_.texts;
+    const auto& language = learned_.language_;
+    auto sentences =
+        encode_all(lessons_.said, *language.encoder, language.known_sentences);
     for (std::size_t at = 0; at < texts.size(); ++at)
-      texts[at].features.sentence =
-          learned_.language_.encoder->remember(lessons_.said[at]);
-    if (learned_.beside_grammars_)
+      texts[at].features.sentence = std::move(sentences[at]);
+    if (learned_.beside_grammars_ && !lessons_.are_many)
       for (const auto& text : texts)
         learned_.nearest_.add(text.features.sentence, text.label);
     auto classifier =
         Classifier::train(texts, labels, limits_.weights, Evidence::sentences);
     if (classifier)
       learned_.by_sentences_ = {{std::move(*classifier)}};
+  }
+
+  // Other talk was learnt, too: it tells what is about nothing.
+  void trust_many() {
+    learned_.by_words_.certainty = Certainty::of_many(Evidence::words);
+    if (learned_.by_sentences_)
+      learned_.by_sentences_->certainty =
+          Certainty::of_many(Evidence::sentences);
   }
 
   // A text may only have the slots of its topic.
@@ -183,12 +202,13 @@ TrainedModel::probabilities(const TextReading& reading,
                             const std::vector<LearningWord>& words,
                             TextFeatures features) const {
   auto made = by_words_.certainty.probabilities(reading);
-  if (!by_sentences_ || *std::ranges::max_element(made) >= sure)
+  if (!by_sentences_ || *std::ranges::max_element(made) >= sure ||
+      words.size() < least_words)
     return made;
   features.sentence = language_.encoder->encode(text_of(words));
   made = by_sentences_->certainty.probabilities(
       by_sentences_->classifier.read(features));
-  if (!beside_grammars_)
+  if (!beside_grammars_ || is_well_taught_)
     return made;
   const auto likeness = nearest_.find(features.sentence, made.size());
   for (std::size_t at = 0; at < made.size(); ++at)

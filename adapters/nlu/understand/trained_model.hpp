@@ -43,8 +43,8 @@ struct LearningLimits {
   // The weights of the classifier, and those of the tagger; each takes four
   // bytes.
   std::size_t weights = 16 << 20;
-  // Examples that the encoder reads, at some milliseconds each. Of more, the
-  // words alone tell enough.
+  // Texts that the encoder reads, at some milliseconds each, where nothing is
+  // kept of what it makes of them. Of more, the words alone tell enough.
   std::size_t sentences = 2000;
 };
 
@@ -114,7 +114,7 @@ private:
   TopicReader by_words_;
   // None without an encoder.
   std::optional<TopicReader> by_sentences_;
-  NearestSentences nearest_; // beside grammars
+  NearestSentences nearest_; // beside grammars, if it is not well taught
   Tagger tagger_;
   // The least share of an utterance that examples must have, if there are too
   // few of them for more. A few letters in common ("foo" and "for") stay below

@@ -39,26 +39,6 @@ TEST(SentenceEncoder, ReadsAnyText) {
       EXPECT_TRUE(std::isfinite(number)) << text.size();
 }
 
-TEST(SentenceEncoder, RemembersTheSame) {
-  const auto encoder = small::small_encoder();
-  const auto taxi = encoder->encode("a taxi");
-  EXPECT_EQ(encoder->remembered(), 0U);
-  EXPECT_EQ(encoder->remember("a taxi"), taxi);
-  EXPECT_EQ(encoder->remember("a taxi"), taxi);
-  EXPECT_EQ(encoder->remembered(), 1U);
-}
-
-TEST(SentenceEncoder, RemembersNotWithoutEnd) {
-  const auto encoder = small::small_encoder();
-  std::size_t most = 0;
-  for (int at = 0; at < 5000; ++at) {
-    encoder->remember("a " + std::to_string(at));
-    most = std::max(most, encoder->remembered());
-  }
-  EXPECT_EQ(most, SentenceEncoder::most_remembered);
-  EXPECT_LT(encoder->remembered(), most);
-}
-
 // The norm makes each row 1, 2, 3, 4, and the mean of all rows is the same; it
 // is added to what the row was.
 TEST(SentenceEncoder, LetsRowsLookAtEachOther) {

@@ -53,14 +53,14 @@ TEST(Certainty, LetsThroughWhatIsToldRight) {
 
 TEST(Certainty, StaysAProbability) {
   for (const auto& certainty :
-       {Certainty(held_out(), 0.9), Certainty::of_many()})
+       {Certainty(held_out(), 0.9), Certainty::of_many(Evidence::words)})
     for (const float score : {-1.0F, 0.0F, 1.0F, 3.0F})
       EXPECT_LE(probability(certainty, reading(score)), 1);
 }
 
 // The more was learnt, the lower are scores, and the more tell unknown words.
 TEST(Certainty, OfManyIsSurerOfALowScoreIfTheWordsAreKnown) {
-  const auto many = Certainty::of_many();
+  const auto many = Certainty::of_many(Evidence::words);
   EXPECT_GT(probability(many, reading(-0.2F)),
             probability(Certainty(), reading(-0.2F)));
   EXPECT_LT(probability(many, reading(-0.7F, 0.1F)),

@@ -5,6 +5,7 @@
 #include "adapters/nlu/understand/trained_model.hpp"
 #include "tests/adapters/nlu/encoder/small_encoder.hpp"
 #include "tests/adapters/nlu/stages.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters::nlu::test {
 namespace {
@@ -92,16 +93,19 @@ TEST(TrainedModel, MostWordsAreKnownBesideGrammars) {
 
 // "cab" stands in no example, and means what "taxi" does.
 TEST(TrainedModel, AsksTheEncoderWhereWordsLeaveItUnsure) {
+  const parlour::test::TemporaryFolder folder;
   const auto probability = [](std::shared_ptr<const SentenceEncoder> encoder,
-                              std::size_t sentences) {
-    Stages stages("", "i need a cab");
+                              std::size_t sentences,
+                              const std::filesystem::path& known = {},
+                              const char* text = "i need a cab") {
+    Stages stages("", text);
     auto topics = sample_model().topics;
     topics[0].examples = {"i bank here"};
     topics[1].examples = {"a bank"};
     topics[2].examples = {"i need a taxi", "a taxi"};
     const auto learned = *TrainedModel::train(
         topics, stages.schema, stages.automaton, 0.4, {.sentences = sentences},
-        {.encoder = std::move(encoder)});
+        {.encoder = std::move(encoder), .known_sentences = known});
     const auto read =
         learned.topics(learned.words(stages.utterance, stages.spans));
     EXPECT_EQ(stages.schema.at(read.front().topic).name, topics[2].name);
@@ -109,8 +113,14 @@ TEST(TrainedModel, AsksTheEncoderWhereWordsLeaveItUnsure) {
   };
   const auto by_words = probability({}, 100);
   EXPECT_GT(probability(small::small_encoder(), 100), by_words);
-  // Too many examples for it.
+  // Too many examples for it, unless what it makes of them is kept.
   EXPECT_EQ(probability(small::small_encoder(), 3), by_words);
+  EXPECT_GT(probability(small::small_encoder(), 3, folder.path() / "known"),
+            by_words);
+  EXPECT_TRUE(folder.has("known"));
+  // Too few words.
+  EXPECT_EQ(probability(small::small_encoder(), 100, {}, "taxi cab"),
+            probability({}, 100, {}, "taxi cab"));
 }
 
 // The same words mean something else: beside grammars, that counts.

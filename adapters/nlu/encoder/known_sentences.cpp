@@ -1,0 +1,176 @@
+#include "adapters/nlu/encoder/known_sentences.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <future>
+#include <string_view>
+#include <thread>
+#include <unordered_map>
+#include <utility>
+
+#include <unistd.h>
+
+#include "adapters/nlu/text/hash.hpp"
+#include "runtime/base/bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view file_mark = "PARLOURK";
+constexpr float largest_byte = 127;
+// Other work goes on beside them.
+constexpr std::size_t most_threads = 4;
+
+// The numbers of a sentence, each as a byte times `step`.
+struct Packed {
+  float step = 0;
+  std::string bytes;
+};
+
+// By the hash of the text.
+using Known = std::unordered_map<std::uint64_t, Packed>;
+
+Packed packed(const std::vector<float>& numbers) {
+  float most = 0;
+  for (const auto number : numbers)
+    most = std::max(most, std::abs(number));
+  Packed made{most > 0 ? most / largest_byte : 1, {}};
+  for (const auto number : numbers)
+    made.bytes += static_cast<char>(std::lround(number / made.step));
+  return made;
+}
+
+std::vector<float> unpacked(const Packed& sentence) {
+  std::vector<float> numbers;
+  numbers.reserve(sentence.bytes.size());
+  for (const char byte : sentence.bytes)
+    numbers.push_back(static_cast<float>(static_cast<signed char>(byte)) *
+                      sentence.step);
+  return numbers;
+}
+
+// The file: its mark, the sum of the encoder's file, a count, and the hash,
+// the step and the bytes of each sentence.
+Known read_known(const fs::path& file, const SentenceEncoder& encoder) {
+  const auto bytes =
+      file.empty() ? Expected<std::string>(std::string()) : read_file(file);
+  if (!bytes || !bytes->starts_with(file_mark))
+    return {};
+  ByteReader reader(std::string_view(*bytes).substr(file_mark.size()));
+  if (reader.fixed() != encoder.sum())
+    return {};
+  Known known;
+  const auto count = reader.count("sentences");
+  for (std::size_t at = 0; at < count && reader.ok(); ++at) {
+    const auto hash = reader.fixed();
+    const auto step =
+        std::bit_cast<float>(static_cast<std::uint32_t>(reader.number()));
+    const auto numbers = reader.block();
+    if (!std::isfinite(step) || numbers.size() != encoder.width())
+      reader.fail("another sentence");
+    known[hash] = {step, std::string(numbers)};
+  }
+  return reader.ok() ? std::move(known) : Known();
+}
+
+void write_known(const fs::path& file, std::uint64_t encoder,
+                 const Known& known) {
+  ByteWriter writer;
+  writer.fixed(encoder);
+  writer.number(known.size());
+  for (const auto& [hash, sentence] : known) {
+    writer.fixed(hash);
+    writer.number(std::bit_cast<std::uint32_t>(sentence.step));
+    writer.text(sentence.bytes);
+  }
+  std::error_code ignored;
+  fs::create_directories(file.parent_path(), ignored);
+  // Under a name of its own until it is whole.
+  const auto begun = file.string() + "." + std::to_string(getpid());
+  std::ofstream out(begun, std::ios::binary);
+  out << file_mark << writer.take();
+  out.close();
+  if (out)
+    fs::rename(begun, file, ignored);
+  fs::remove(begun, ignored);
+}
+
+// Every `step`th from `first` on.
+std::vector<Packed> encoded(const std::vector<const std::string*>& texts,
+                            const SentenceEncoder& encoder, std::size_t first,
+                            std::size_t step) {
+  std::vector<Packed> made;
+  for (auto at = first; at < texts.size(); at += step)
+    made.push_back(packed(encoder.encode(*texts[at])));
+  return made;
+}
+
+void encode(const std::vector<const std::string*>& texts,
+            const SentenceEncoder& encoder, Known& known) {
+  const auto threads = std::clamp<std::size_t>(
+      std::thread::hardware_concurrency(), 1, most_threads);
+  std::vector<std::future<std::vector<Packed>>> parts;
+  for (std::size_t part = 0; part < threads; ++part)
+    parts.push_back(std::async(std::launch::async, encoded, std::cref(texts),
+                               std::cref(encoder), part, threads));
+  for (std::size_t part = 0; part < threads; ++part) {
+    auto at = part;
+    for (auto& sentence : parts[part].get()) {
+      known[hash_of(*texts[at])] = std::move(sentence);
+      at += threads;
+    }
+  }
+}
+
+// Those that nobody asks for go where there are too many.
+void keep_asked_for(Known& known, const std::vector<std::string>& texts) {
+  if (known.size() <= most_known_sentences)
+    return;
+  Known kept;
+  for (const auto& text : texts)
+    if (kept.size() < most_known_sentences)
+      kept[hash_of(text)] = known[hash_of(text)];
+  known = std::move(kept);
+}
+
+} // namespace
+
+fs::path known_sentences_file(const Environment& environment) {
+  const auto folder = [&](const char* variable) {
+    return fs::path(environment(variable).value_or(""));
+  };
+  auto cache = folder("XDG_CACHE_HOME");
+  // The XDG base directory specification: ignore relative paths.
+  if (!cache.is_absolute())
+    cache = folder("HOME") / ".cache";
+  return cache.is_absolute() ? cache / "parlour/sentences.known" : fs::path();
+}
+
+std::vector<std::vector<float>>
+encode_all(const std::vector<std::string>& texts,
+           const SentenceEncoder& encoder, const fs::path& file) {
+  auto known = read_known(file, encoder);
+  std::vector<const std::string*> unknown;
+  for (const auto& text : texts)
+    if (!known.contains(hash_of(text)))
+      unknown.push_back(&text);
+  encode(unknown, encoder, known);
+  std::vector<std::vector<float>> made;
+  made.reserve(texts.size());
+  for (const auto& text : texts)
+    made.push_back(unpacked(known[hash_of(text)]));
+  if (!unknown.empty() && !file.empty()) {
+    keep_asked_for(known, texts);
+    write_known(file, encoder.sum(), known);
+  }
+  return made;
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,38 @@
+// What SentenceEncoder makes of texts, kept in a file from one start to the
+// next: thousands of texts take half a minute, and most are there again.
+//
+//  const auto sentences = encode_all(texts, *encoder, known_sentences_file());
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapters/nlu/encoder/sentence_encoder.hpp"
+
+namespace parlour::adapters::nlu {
+
+// A file has no more than these; of more, those that were asked for last.
+inline constexpr std::size_t most_known_sentences = 65'536;
+
+// Looks up an environment variable; nothing if it is unset or empty.
+using Environment = std::function<std::optional<std::string>(const char* name)>;
+
+// The file of this user: parlour/sentences.known below XDG_CACHE_HOME or
+// ~/.cache; empty if neither is known.
+std::filesystem::path known_sentences_file(const Environment& environment);
+
+// What the encoder makes of each text, in their order, each number rounded to a
+// byte, so that it is the same whether it was known or not. What the file does
+// not have is encoded, by a few threads, and added. A file that is broken, of
+// another encoder or cannot be written counts as none, for nothing is lost but
+// time. Of two processes that write at once, the last one's file stays. No
+// file if `file` is empty.
+std::vector<std::vector<float>>
+encode_all(const std::vector<std::string>& texts,
+           const SentenceEncoder& encoder, const std::filesystem::path& file);
+
+} // namespace parlour::adapters::nlu

@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <future>
+#include <mutex>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "adapters/nlu/text/hash.hpp"
@@ -23,7 +28,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view file_mark = "PARLOURK";
+// With another number where the encoder makes other numbers of the same file.
+constexpr std::string_view file_mark = "PARLOURK1";
+// Who writes is done long before.
+constexpr std::chrono::minutes given_up{1};
+constexpr std::size_t head_size = 16; // the sum and the hash
 constexpr float largest_byte = 127;
 // Other work goes on beside them.
 constexpr std::size_t most_threads = 4;
@@ -56,15 +65,17 @@ std::vector<float> unpacked(const Packed& sentence) {
   return numbers;
 }
 
-// The file: its mark, the sum of the encoder's file, a count, and the hash,
-// the step and the bytes of each sentence.
+// The file: its mark, the sum of the encoder's file, a hash of what follows, a
+// count, and the hash, the step and the bytes of each sentence.
 Known read_known(const fs::path& file, const SentenceEncoder& encoder) {
   const auto bytes =
       file.empty() ? Expected<std::string>(std::string()) : read_file(file);
   if (!bytes || !bytes->starts_with(file_mark))
     return {};
-  ByteReader reader(std::string_view(*bytes).substr(file_mark.size()));
-  if (reader.fixed() != encoder.sum())
+  const auto rest = std::string_view(*bytes).substr(file_mark.size());
+  ByteReader reader(rest);
+  if (reader.fixed() != encoder.sum() ||
+      reader.fixed() != hash_of(rest.substr(std::min(rest.size(), head_size))))
     return {};
   Known known;
   const auto count = reader.count("sentences");
@@ -80,23 +91,39 @@ Known read_known(const fs::path& file, const SentenceEncoder& encoder) {
   return reader.ok() ? std::move(known) : Known();
 }
 
-void write_known(const fs::path& file, std::uint64_t encoder,
+// A file for one writer at a time; what one that was killed has left is taken.
+bool begin_file(const fs::path& begun) {
+  std::error_code error;
+  const auto written = fs::last_write_time(begun, error);
+  if (!error && fs::file_time_type::clock::now() - written > given_up)
+    fs::remove(begun, error);
+  const int descriptor =
+      open(begun.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+  return descriptor >= 0 && close(descriptor) == 0;
+}
+
+// Under another name until it is whole. Somebody else who writes just now goes
+// first: what is missing then is encoded at the next start.
+void write_known(const fs::path& file, const SentenceEncoder& encoder,
                  const Known& known) {
-  ByteWriter writer;
-  writer.fixed(encoder);
-  writer.number(known.size());
+  const auto begun = file.string() + ".new";
+  if (!begin_file(begun))
+    return;
+  ByteWriter body;
+  body.number(known.size());
   for (const auto& [hash, sentence] : known) {
-    writer.fixed(hash);
-    writer.number(std::bit_cast<std::uint32_t>(sentence.step));
-    writer.text(sentence.bytes);
+    body.fixed(hash);
+    body.number(std::bit_cast<std::uint32_t>(sentence.step));
+    body.text(sentence.bytes);
   }
-  std::error_code ignored;
-  fs::create_directories(file.parent_path(), ignored);
-  // Under a name of its own until it is whole.
-  const auto begun = file.string() + "." + std::to_string(getpid());
+  const auto bytes = body.take();
+  ByteWriter head;
+  head.fixed(encoder.sum());
+  head.fixed(hash_of(bytes));
   std::ofstream out(begun, std::ios::binary);
-  out << file_mark << writer.take();
+  out << file_mark << head.take() << bytes;
   out.close();
+  std::error_code ignored;
   if (out)
     fs::rename(begun, file, ignored);
   fs::remove(begun, ignored);
@@ -114,8 +141,9 @@ std::vector<Packed> encoded(const std::vector<const std::string*>& texts,
 
 void encode(const std::vector<const std::string*>& texts,
             const SentenceEncoder& encoder, Known& known) {
-  const auto threads = std::clamp<std::size_t>(
-      std::thread::hardware_concurrency(), 1, most_threads);
+  const auto threads =
+      std::min({texts.size(), most_threads,
+                std::max<std::size_t>(std::thread::hardware_concurrency(), 1)});
   std::vector<std::future<std::vector<Packed>>> parts;
   for (std::size_t part = 0; part < threads; ++part)
     parts.push_back(std::async(std::launch::async, encoded, std::cref(texts),
@@ -150,16 +178,27 @@ fs::path known_sentences_file(const Environment& environment) {
   // The XDG base directory specification: ignore relative paths.
   if (!cache.is_absolute())
     cache = folder("HOME") / ".cache";
-  return cache.is_absolute() ? cache / "parlour/sentences.known" : fs::path();
+  if (!cache.is_absolute())
+    return {};
+  cache /= "parlour";
+  std::error_code ignored; // that it cannot be written is seen next
+  fs::create_directories(cache, ignored);
+  return access(cache.c_str(), W_OK) == 0 ? cache / "sentences.known"
+                                          : fs::path();
 }
 
 std::vector<std::vector<float>>
 encode_all(const std::vector<std::string>& texts,
            const SentenceEncoder& encoder, const fs::path& file) {
+  // Who waits finds what the others have made.
+  static std::mutex one_by_one;
+  const std::lock_guard lock(one_by_one);
   auto known = read_known(file, encoder);
   std::vector<const std::string*> unknown;
+  std::unordered_set<std::uint64_t> seen;
   for (const auto& text : texts)
-    if (!known.contains(hash_of(text)))
+    if (const auto hash = hash_of(text);
+        !known.contains(hash) && seen.insert(hash).second)
       unknown.push_back(&text);
   encode(unknown, encoder, known);
   std::vector<std::vector<float>> made;
@@ -167,8 +206,10 @@ encode_all(const std::vector<std::string>& texts,
   for (const auto& text : texts)
     made.push_back(unpacked(known[hash_of(text)]));
   if (!unknown.empty() && !file.empty()) {
+    // Another process may have written meanwhile.
+    known.merge(read_known(file, encoder));
     keep_asked_for(known, texts);
-    write_known(file, encoder.sum(), known);
+    write_known(file, encoder, known);
   }
   return made;
 }

@@ -1,7 +1,8 @@
 // What SentenceEncoder makes of texts, kept in a file from one start to the
-// next: thousands of texts take half a minute, and most are there again.
+// next: thousands of texts take many seconds, and most are there again.
 //
-//  const auto sentences = encode_all(texts, *encoder, known_sentences_file());
+//  const auto file = known_sentences_file(environment);
+//  const auto sentences = encode_all(texts, *encoder, file);
 #pragma once
 
 #include <cstddef>
@@ -22,15 +23,16 @@ inline constexpr std::size_t most_known_sentences = 65'536;
 using Environment = std::function<std::optional<std::string>(const char* name)>;
 
 // The file of this user: parlour/sentences.known below XDG_CACHE_HOME or
-// ~/.cache; empty if neither is known.
+// ~/.cache, whose folder is made; empty if neither is known or can be written.
 std::filesystem::path known_sentences_file(const Environment& environment);
 
 // What the encoder makes of each text, in their order, each number rounded to a
 // byte, so that it is the same whether it was known or not. What the file does
 // not have is encoded, by a few threads, and added. A file that is broken, of
 // another encoder or cannot be written counts as none, for nothing is lost but
-// time. Of two processes that write at once, the last one's file stays. No
-// file if `file` is empty.
+// time. Processes may share it: it is always whole, and one that writes while
+// another does writes nothing. No file if `file` is empty. Of several threads,
+// one works at a time.
 std::vector<std::vector<float>>
 encode_all(const std::vector<std::string>& texts,
            const SentenceEncoder& encoder, const std::filesystem::path& file);

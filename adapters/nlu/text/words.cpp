@@ -67,7 +67,7 @@ const Words& function_words() {
 }
 
 // Longer phrases need not come first: every phrase that matches is marked.
-constexpr std::array<std::string_view, 35> fillers{"on second thoughts",
+constexpr std::array<std::string_view, 36> fillers{"on second thoughts",
                                                    "on second thought",
                                                    "er",
                                                    "erm",
@@ -100,6 +100,7 @@ constexpr std::array<std::string_view, 35> fillers{"on second thoughts",
                                                    "damn",
                                                    "goddamn",
                                                    "flipping",
+                                                   "innit",
                                                    "lol",
                                                    "haha"};
 
@@ -138,11 +139,11 @@ const WordMap<std::string_view>& contractions() {
       {"theyre", "they are"},   {"weve", "we have"},
       {"aint", "is not"},       {"ain't", "is not"},
       {"y'all", "you all"},     {"yall", "you all"},
-      {"gotta", "have to"},     {"dunno", "do not know"},
+      {"gotta", "have to"},     {"dunno", "i do not know"},
       {"gimme", "give me"},     {"lemme", "let me"},
-      {"innit", "is not it"},   {"btw", "by the way"},
-      {"smth", "something"},    {"tmrw", "tomorrow"},
-      {"pls", "please"},        {"plz", "please"},
+      {"btw", "by the way"},    {"smth", "something"},
+      {"tmrw", "tomorrow"},     {"pls", "please"},
+      {"plz", "please"},
   };
   return table;
 }

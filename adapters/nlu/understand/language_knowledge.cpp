@@ -53,9 +53,10 @@ LanguageKnowledge LanguageStore::read(const std::filesystem::path& platform,
                                       std::vector<Error>& errors) {
   const std::lock_guard lock(mutex_);
   auto vectors = read(vectors_, platform / "words.vectors", errors);
-  return {std::move(vectors),
-          read(encoder_, platform / "sentences.encoder", errors),
-          known_sentences_file(of_process)};
+  auto encoder = read(encoder_, platform / "sentences.encoder", errors);
+  auto known =
+      encoder ? known_sentences_file(of_process) : std::filesystem::path();
+  return {std::move(vectors), std::move(encoder), std::move(known)};
 }
 
 LanguageStore& language_store() {

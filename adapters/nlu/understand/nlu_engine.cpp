@@ -378,8 +378,8 @@ void NluEngine::read_sentences(const Utterance& meant,
 }
 
 // "Not before evening? Then a coffee it is": by rules, and courtesies aside. Or
-// beside a question that was learnt: "My booking number is 4733. Could you
-// check which room I've got?"
+// beside a question that was learnt: "I arrive tomorrow, my booking number is
+// 4733. Could you check which kind of room I've got?"
 void NluEngine::read_alone(const std::vector<SentenceApart>& sentences,
                            const Value& context, Understanding& made) const {
   List alone;
@@ -391,7 +391,7 @@ void NluEngine::read_alone(const std::vector<SentenceApart>& sentences,
               std::max(made.score, act[act_key::confidence].number_or(0));
           alone.push_back(std::move(act));
         }
-  made.acts.insert(made.acts.begin(), alone.begin(), alone.end());
+  put_before(std::move(alone), made.acts);
 }
 
 } // namespace parlour::adapters::nlu

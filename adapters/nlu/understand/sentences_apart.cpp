@@ -75,9 +75,21 @@ bool is_said_alone(const Value& act, const List& learnt) {
   const auto& topic = act[act_key::topic];
   if (topic.is_unknown() || learnt.empty())
     return !topic.is_unknown() && score >= surely_said;
-  const auto* slots = act[act_key::slots].if_map();
-  return score >= certainly_said && !act[act_key::elliptical] && slots &&
-         !slots->empty() && topic != learnt.front()[act_key::topic];
+  const auto says = [](const Value& one) {
+    const auto* slots = one[act_key::slots].if_map();
+    return slots && !slots->empty();
+  };
+  return score >= certainly_said && !act[act_key::elliptical] && says(act) &&
+         (topic != learnt.front()[act_key::topic] || !says(learnt.front()));
+}
+
+void put_before(List alone, List& learnt) {
+  for (auto& act : learnt)
+    if (std::ranges::none_of(alone, [&](const Value& other) {
+          return other[act_key::topic] == act[act_key::topic];
+        }))
+      alone.push_back(std::move(act));
+  learnt = std::move(alone);
 }
 
 } // namespace parlour::adapters::nlu

@@ -28,8 +28,11 @@ std::vector<SentenceApart> sentences_apart(const Utterance& utterance,
                                            const std::vector<BuiltAct>& acts);
 
 // Whether this act, which rules understood in one sentence, is said beside what
-// was learnt of all together: certainly, with values, and about something else;
-// or, where nothing was, surely.
+// was learnt of all together: certainly, with values, and about something else
+// or what was learnt without any; or, where nothing was, surely.
 bool is_said_alone(const Value& act, const List& learnt);
+// Puts these acts before what was learnt, and in its place if they are about
+// the same.
+void put_before(List alone, List& learnt);
 
 } // namespace parlour::adapters::nlu

@@ -100,8 +100,10 @@ private:
 
   bool reads_sentences() const {
     const auto& language = learned_.language_;
-    return language.encoder && (!language.known_sentences.empty() ||
-                                lessons_.texts.size() <= limits_.sentences);
+    const auto most = language.known_sentences.empty()
+                          ? limits_.sentences
+                          : limits_.known_sentences;
+    return language.encoder && lessons_.texts.size() <= most;
   }
 
   void learn_sentences(std::uint32_t labels) {

@@ -46,6 +46,8 @@ struct LearningLimits {
   // Texts that the encoder reads, at some milliseconds each, where nothing is
   // kept of what it makes of them. Of more, the words alone tell enough.
   std::size_t sentences = 2000;
+  // The same where it is kept.
+  std::size_t known_sentences = 20'000;
 };
 
 // Immutable; any number of threads may use it.

@@ -122,7 +122,7 @@ private:
             alike >= least_alike && may_be(words, name, alike))
           found.emplace_back(-alike, name);
     if (found.empty())
-      found = beside_the_first(words, match);
+      found = beside_the_first(words, heard, match);
     if (found.empty())
       return;
     std::ranges::sort(found);
@@ -137,39 +137,50 @@ private:
   }
 
   // Names that begin with the first of these words, of which the others are no
-  // words of names.
+  // words of names, nor of grammars.
   Found beside_the_first(const std::vector<std::string>& words,
-                         const ValueMatch& run) const {
+                         const NameSounds& heard, const ValueMatch& run) const {
     Found found;
     if (words.size() < 2 || !index_.has_word(words[0]))
       return found;
-    for (std::size_t at = 1; at < words.size(); ++at)
+    for (std::size_t at = 0; at < words.size(); ++at)
       if (plain_[run.begin + at] || joins_names(words[at]) ||
-          index_.has_word(words[at]))
+          (at > 0 && index_.has_word(words[at])))
         return found;
+    const auto first = phones_of(words[0]);
     const auto rest = sounds_of_name({words.begin() + 1, words.end()}).phones;
-    for (std::uint32_t name = 0; name < names_.size(); ++name) {
-      std::vector<std::string> others;
-      for (auto& token : tokenize(index_.value(set_, name)).list)
-        if (!is_title(token.word))
-          others.push_back(std::move(token.word));
-      if (others.size() < 2 || others[0] != words[0])
-        continue;
-      const auto alike = sounds_alike(
-          rest, sounds_of_name({others.begin() + 1, others.end()}).phones);
-      if (alike >= least_of_the_rest)
-        found.emplace_back(-alike, name);
-    }
+    for (std::uint32_t name = 0; name < names_.size(); ++name)
+      if (names_[name].phones.starts_with(first) &&
+          is_rest_alike(words[0], rest, name))
+        found.emplace_back(-sounds_alike(heard.phones, names_[name].phones),
+                           name);
     return found;
+  }
+
+  bool is_rest_alike(const std::string& first, const std::string& rest,
+                     std::uint32_t name) const {
+    auto words = words_of_name(name);
+    if (words.size() < 2 || words[0] != first)
+      return false;
+    words.erase(words.begin());
+    return sounds_alike(rest, sounds_of_name(words).phones) >=
+           least_of_the_rest;
+  }
+
+  // Without titles.
+  std::vector<std::string> words_of_name(std::uint32_t name) const {
+    std::vector<std::string> words;
+    for (auto& token : tokenize(index_.value(set_, name)).list)
+      if (!is_title(token.word))
+        words.push_back(std::move(token.word));
+    return words;
   }
 
   bool may_be(std::vector<std::string> words, std::uint32_t name,
               double alike) const {
+    auto others = words_of_name(name);
     std::erase_if(words, joins_names);
-    std::vector<std::string> others;
-    for (auto& token : tokenize(index_.value(set_, name)).list)
-      if (!joins_names(token.word))
-        others.push_back(std::move(token.word));
+    std::erase_if(others, joins_names);
     // A part of the name as it is written is found by ValueIndex::find.
     if (words.size() != others.size())
       return alike >= least_in_other_words &&

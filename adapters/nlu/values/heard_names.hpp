@@ -16,8 +16,8 @@ inline constexpr float heard_confidence = 0.6F;
 // the few that sound most like them, without overlaps. Only for what was heard:
 // written words mean what they say. At least half of a run are no `plain`
 // words (see ValueIndex::find), and none is a number. Where run and name have
-// as many words, each must sound like its own, or, behind the first word of the
-// name as it is written, words that no name has must sound a little alike
+// as many words, each must sound like its own. Behind the first word of a name
+// as it is written, words that no name has need only sound a little alike
 // ("Lorraine Gove" for Lorraine Goh). The time is bounded.
 std::vector<ValueMatch> heard_names(const ValueIndex& index, SetId set,
                                     const Tokens& tokens,

@@ -1,3 +1,5 @@
+#include <chrono>
+#include <future>
 #include <map>
 
 #include <gmock/gmock.h>
@@ -25,14 +27,21 @@ file_of(const std::map<std::string, std::string>& environment) {
 }
 
 TEST(KnownSentences, AreInTheCacheOfTheUser) {
-  EXPECT_EQ(file_of({{"HOME", "/home/ada"}}),
-            "/home/ada/.cache/parlour/sentences.known");
-  EXPECT_EQ(file_of({{"HOME", "/home/ada"}, {"XDG_CACHE_HOME", "/cache"}}),
-            "/cache/parlour/sentences.known");
-  EXPECT_EQ(file_of({{"HOME", "/home/ada"}, {"XDG_CACHE_HOME", "cache"}}),
-            "/home/ada/.cache/parlour/sentences.known");
+  const parlour::test::TemporaryFolder folder;
+  const auto home = folder.path().string();
+  const auto cache = home + "/elsewhere";
+  EXPECT_EQ(file_of({{"HOME", home}}),
+            home + "/.cache/parlour/sentences.known");
+  EXPECT_EQ(file_of({{"HOME", home}, {"XDG_CACHE_HOME", cache}}),
+            cache + "/parlour/sentences.known");
+  EXPECT_EQ(file_of({{"HOME", home}, {"XDG_CACHE_HOME", "cache"}}),
+            home + "/.cache/parlour/sentences.known");
+}
+
+TEST(KnownSentences, AreNowhereIfNoFolderCanBeWritten) {
   EXPECT_EQ(file_of({}), "");
   EXPECT_EQ(file_of({{"HOME", "home"}}), "");
+  EXPECT_EQ(file_of({{"XDG_CACHE_HOME", "/proc/nowhere"}}), "");
 }
 
 class KnownSentencesTest : public testing::Test {
@@ -45,7 +54,7 @@ protected:
     return folder_.read(name_);
   }
 
-  const std::string name_ = "cache/known";
+  const std::string name_ = "known";
   parlour::test::TemporaryFolder folder_;
   std::shared_ptr<const SentenceEncoder> encoder_ = small::small_encoder();
 };
@@ -71,21 +80,25 @@ TEST_F(KnownSentencesTest, AreTheSameTheNextTime) {
   EXPECT_GT(written().size(), file.size());
 }
 
-// What the file says is believed: this is how it is told that it was read.
+// What stands in the file is not encoded again: it is told by a file that was
+// made for other texts.
 TEST_F(KnownSentencesTest, AreReadFromTheFile) {
-  const auto first = encoded({"i need a taxi"});
-  auto changed = written();
-  changed.back() = static_cast<char>(changed.back() ^ 1);
-  folder_.write(name_, changed);
-  EXPECT_NE(encoded({"i need a taxi"}), first);
+  encoded({"i need a taxi"});
+  const auto taxi = written();
+  folder_.write(name_, "");
+  encoded({"a bank"});
+  EXPECT_NE(written(), taxi);
+  folder_.write(name_, taxi);
+  encoded({"i need a taxi"});
+  EXPECT_EQ(written(), taxi);
 }
 
 TEST_F(KnownSentencesTest, AreMadeAnewWhereTheFileIsBroken) {
   const auto first = encoded({"i need a taxi"});
   const auto whole = written();
   for (const auto& broken :
-       {std::string(), std::string("PARLOURK"), whole.substr(0, 20),
-        whole.substr(0, whole.size() - 1), "x" + whole}) {
+       {std::string(), std::string("PARLOURK1"), whole.substr(0, 20),
+        whole.substr(0, whole.size() - 1), "x" + whole, whole + "x"}) {
     folder_.write(name_, broken);
     EXPECT_EQ(encoded({"i need a taxi"}), first);
     EXPECT_EQ(written(), whole);
@@ -100,10 +113,31 @@ TEST_F(KnownSentencesTest, AreThoseOfTheEncoder) {
   EXPECT_EQ(made, encode_all({"i need a taxi"}, *other, ""));
 }
 
-TEST_F(KnownSentencesTest, AreNotKeptWhereNothingCanBeWritten) {
-  folder_.write("cache", "a file");
+TEST_F(KnownSentencesTest, AreLeftToWhoeverWritesJustNow) {
+  folder_.write(name_ + ".new", "begun");
   EXPECT_THAT(encoded({"a bank"}), SizeIs(1));
-  EXPECT_EQ(folder_.read("cache"), "a file");
+  EXPECT_FALSE(folder_.has(name_));
+  EXPECT_EQ(folder_.read(name_ + ".new"), "begun");
+  // It was killed.
+  std::filesystem::last_write_time(
+      folder_.path() / (name_ + ".new"),
+      std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+  encoded({"a bank"});
+  EXPECT_TRUE(folder_.has(name_));
+  EXPECT_FALSE(folder_.has(name_ + ".new"));
+}
+
+TEST_F(KnownSentencesTest, AreThoseOfAllThreads) {
+  std::vector<std::future<std::vector<std::vector<float>>>> all;
+  const std::vector<std::string> texts{"a taxi", "a bank", "i need a cab"};
+  for (const auto& text : texts)
+    all.push_back(
+        std::async(std::launch::async, [&] { return encoded({text}); }));
+  for (std::size_t at = 0; at < texts.size(); ++at)
+    EXPECT_EQ(all[at].get(), encode_all({texts[at]}, *encoder_, ""));
+  const auto file = written();
+  encoded(texts);
+  EXPECT_EQ(written(), file);
 }
 
 TEST_F(KnownSentencesTest, AreNotMoreThanAFileMayHave) {

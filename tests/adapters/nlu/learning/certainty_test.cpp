@@ -67,5 +67,11 @@ TEST(Certainty, OfManyIsSurerOfALowScoreIfTheWordsAreKnown) {
             probability(many, reading(-0.7F)) / 2);
 }
 
+TEST(Certainty, OfManyDoubtsMoreBesideSentences) {
+  EXPECT_LT(
+      probability(Certainty::of_many(Evidence::sentences), reading(-0.2F)),
+      probability(Certainty::of_many(Evidence::words), reading(-0.2F)));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

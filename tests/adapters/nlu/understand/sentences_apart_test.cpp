@@ -81,10 +81,25 @@ TEST(SentencesApart, AreSaidBesideWhatWasLearntIfTheySayMore) {
   const List learnt{act_of("Told", 0.7, {})};
   const Map number{{"Number", 4733}};
   EXPECT_TRUE(is_said_alone(act_of("Booking", 1, number), learnt));
-  EXPECT_FALSE(is_said_alone(act_of("Told", 1, number), learnt));
+  EXPECT_TRUE(is_said_alone(act_of("Told", 1, number), learnt));
+  EXPECT_FALSE(is_said_alone(act_of("Told", 1, number),
+                             {act_of("Told", 0.7, {{"Kind", "suite"}})}));
   EXPECT_FALSE(is_said_alone(act_of("Booking", 0.8, number), learnt));
   EXPECT_FALSE(is_said_alone(act_of("Booking", 1, {}), learnt));
   EXPECT_FALSE(is_said_alone(act_of("Booking", 1, number, true), learnt));
+}
+
+TEST(SentencesApart, StandBeforeWhatWasLearntAndInItsPlace) {
+  const auto booking = act_of("Booking", 1, {{"Number", 4733}});
+  const auto told = act_of("Told", 0.7, {});
+  List acts{told};
+  put_before({booking}, acts);
+  EXPECT_EQ(acts, (List{booking, told}));
+  const auto more = act_of("Told", 1, {{"Number", 4733}});
+  put_before({more}, acts);
+  EXPECT_EQ(acts, (List{more, booking}));
+  put_before({}, acts);
+  EXPECT_EQ(acts, (List{more, booking}));
 }
 
 } // namespace

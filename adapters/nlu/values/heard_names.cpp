@@ -150,7 +150,7 @@ private:
     const auto first = phones_of(words[0]);
     const auto rest = sounds_of_name({words.begin() + 1, words.end()}).phones;
     for (std::uint32_t name = 0; name < names_.size(); ++name)
-      if (names_[name].phones.starts_with(first) &&
+      if (names_[name].phones.find(first) != std::string::npos &&
           is_rest_alike(words[0], rest, name))
         found.emplace_back(-sounds_alike(heard.phones, names_[name].phones),
                            name);

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cstdlib>
 
 #include <gmock/gmock.h>
 
@@ -15,6 +16,9 @@ using testing::SizeIs;
 
 class LanguageKnowledgeTest : public testing::Test {
 protected:
+  LanguageKnowledgeTest() {
+    setenv("XDG_CACHE_HOME", folder_.path().c_str(), 1);
+  }
   LanguageKnowledge read() {
     return store_.read(folder_.path(), errors_);
   }
@@ -36,7 +40,13 @@ TEST_F(LanguageKnowledgeTest, IsNoneWithoutFiles) {
   const auto language = read();
   EXPECT_EQ(language.vectors, nullptr);
   EXPECT_EQ(language.encoder, nullptr);
+  EXPECT_EQ(language.known_sentences, "");
   EXPECT_THAT(errors_, IsEmpty());
+}
+
+TEST_F(LanguageKnowledgeTest, KeepsWhatTheEncoderMakesInTheCacheOfTheUser) {
+  write("sentences.encoder", small::small_encoder_file());
+  EXPECT_EQ(read().known_sentences, folder_.path() / "parlour/sentences.known");
 }
 
 TEST_F(LanguageKnowledgeTest, IsReadOnce) {

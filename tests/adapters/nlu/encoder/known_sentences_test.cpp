@@ -105,6 +105,18 @@ TEST_F(KnownSentencesTest, AreMadeAnewWhereTheFileIsBroken) {
   }
 }
 
+TEST_F(KnownSentencesTest, AreMadeAnewWhereAnyByteIsOther) {
+  const auto first = encoded({"i need a taxi"});
+  const auto whole = written();
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    auto broken = whole;
+    broken[at] = static_cast<char>(broken[at] ^ 0x10);
+    folder_.write(name_, broken);
+    EXPECT_EQ(encoded({"i need a taxi"}), first) << at;
+    EXPECT_EQ(written(), whole) << at;
+  }
+}
+
 TEST_F(KnownSentencesTest, AreThoseOfTheEncoder) {
   encoded({"i need a taxi"});
   const auto other = *small::encoder_of(small::encoder_file_with_layer());

@@ -170,15 +170,9 @@ void keep_asked_for(Known& known, const std::vector<std::string>& texts) {
 
 } // namespace
 
-fs::path known_sentences_file(const Environment& environment) {
-  const auto folder = [&](const char* variable) {
-    return fs::path(environment(variable).value_or(""));
-  };
-  auto cache = folder("XDG_CACHE_HOME");
-  // The XDG base directory specification: ignore relative paths.
-  if (!cache.is_absolute())
-    cache = folder("HOME") / ".cache";
-  if (!cache.is_absolute())
+fs::path known_sentences_file(const EnvironmentLookup& environment) {
+  auto cache = user_folder(environment, "XDG_CACHE_HOME", ".cache");
+  if (cache.empty())
     return {};
   cache /= "parlour";
   std::error_code ignored; // that it cannot be written is seen next

@@ -7,24 +7,21 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "adapters/nlu/encoder/sentence_encoder.hpp"
+#include "runtime/base/outside/environment.hpp"
 
 namespace parlour::adapters::nlu {
 
 // A file has no more than these; of more, those that were asked for last.
 inline constexpr std::size_t most_known_sentences = 65'536;
 
-// Looks up an environment variable; nothing if it is unset or empty.
-using Environment = std::function<std::optional<std::string>(const char* name)>;
-
 // The file of this user: parlour/sentences.known below XDG_CACHE_HOME or
 // ~/.cache, whose folder is made; empty if neither is known or can be written.
-std::filesystem::path known_sentences_file(const Environment& environment);
+std::filesystem::path
+known_sentences_file(const EnvironmentLookup& environment);
 
 // What the encoder makes of each text, in their order, each number rounded to a
 // byte, so that it is the same whether it was known or not. What the file does

@@ -1,12 +1,10 @@
 #include "adapters/nlu/understand/language_knowledge.hpp"
 
-#include <cstdlib>
-#include <optional>
-#include <string>
 #include <system_error>
 #include <utility>
 
 #include "adapters/nlu/encoder/known_sentences.hpp"
+#include "runtime/base/outside/environment.hpp"
 #include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::adapters::nlu {
@@ -17,11 +15,6 @@ template <class Knowledge>
 bool same(const std::shared_ptr<const Knowledge>& left,
           const std::shared_ptr<const Knowledge>& right) {
   return left == right || (left && right && *left == *right);
-}
-
-std::optional<std::string> of_process(const char* name) {
-  const auto* value = std::getenv(name);
-  return value && *value ? std::optional<std::string>(value) : std::nullopt;
 }
 
 } // namespace
@@ -54,8 +47,8 @@ LanguageKnowledge LanguageStore::read(const std::filesystem::path& platform,
   const std::lock_guard lock(mutex_);
   auto vectors = read(vectors_, platform / "words.vectors", errors);
   auto encoder = read(encoder_, platform / "sentences.encoder", errors);
-  auto known =
-      encoder ? known_sentences_file(of_process) : std::filesystem::path();
+  auto known = encoder ? known_sentences_file(environment_variable)
+                       : std::filesystem::path();
   return {std::move(vectors), std::move(encoder), std::move(known)};
 }
 

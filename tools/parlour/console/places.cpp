@@ -2,11 +2,11 @@
 #include "tools/parlour/console/places.hpp"
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 
 #include <unistd.h>
 
+#include "runtime/base/outside/environment.hpp"
 #include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::tools {
@@ -14,13 +14,6 @@ namespace parlour::tools {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::optional<std::string> environment_variable(const char* name) {
-  const auto* value = std::getenv(name);
-  if (!value || !*value)
-    return std::nullopt;
-  return value;
-}
 
 bool is_folder(const fs::path& path) {
   std::error_code ignored;
@@ -141,14 +134,9 @@ std::vector<fs::path> plugin_folders(const Places& places,
 
 Expected<fs::path> default_data_folder(const Places& places,
                                        const fs::path& application) {
-  const auto folder = [&](const char* variable) {
-    return fs::path(places.environment(variable).value_or(""));
-  };
-  auto data = folder("XDG_DATA_HOME");
-  // The XDG base directory specification: ignore relative paths.
-  if (!data.is_absolute())
-    data = folder("HOME") / ".local/share";
-  if (!data.is_absolute())
+  const auto data =
+      user_folder(places.environment, "XDG_DATA_HOME", ".local/share");
+  if (data.empty())
     return fail(ErrorKind::settings,
                 "there is no home folder for the data of a run (HOME); --data "
                 "names a folder");

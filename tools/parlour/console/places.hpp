@@ -6,12 +6,11 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/outside/environment.hpp"
 
 namespace parlour::tools {
 
@@ -20,8 +19,7 @@ struct Places {
   // Folders with `apps` and `platform`, the preferred one first: the installed
   // share beside the program, or the source tree it was built from.
   std::vector<std::filesystem::path> shares;
-  // Looks up an environment variable; nothing if it is unset or empty.
-  std::function<std::optional<std::string>(const char*)> environment;
+  EnvironmentLookup environment;
   std::filesystem::path plugins;           // of --plugins; empty: not given
   std::filesystem::path installed_plugins; // empty: none
   std::filesystem::path programs;          // of the running program

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <stdexcept>
-#include <system_error>
 
 #include <sys/resource.h>
 
@@ -12,7 +11,6 @@ class NoDescriptors {
 public:
   // Descriptors below `first_refused` may still be opened.
   explicit NoDescriptors(int first_refused = 0) {
-    know_system_error();
     if (getrlimit(RLIMIT_NOFILE, &former_) != 0)
       throw std::runtime_error("the limit of files cannot be read");
     const rlimit none{static_cast<rlim_t>(first_refused), former_.rlim_max};
@@ -26,14 +24,6 @@ public:
   }
 
 private:
-  // The sanitizer looks at the first object of a polymorphic type through a
-  // pipe, which it cannot open later; it would take what asio throws for no
-  // object at all. Further objects of the type are known to it.
-  static void know_system_error() {
-    const std::system_error error(std::make_error_code(std::errc::io_error));
-    static_cast<void>(error.code());
-  }
-
   rlimit former_{};
 };
 

@@ -33,9 +33,11 @@ protected:
     loop->post([this] { acceptor.close(); });
     loop->stop();
   }
+  // Once it returns, no descriptor is taken for a moment: to accept, the system
+  // takes one, and gives it back if nobody is there.
   void accept(Acceptor::Calls calls) {
     ASSERT_TRUE(acceptor.open(anywhere));
-    loop->post([this, calls] { acceptor.accept(calls); });
+    do_on_the_loop([&] { acceptor.accept(std::move(calls)); });
   }
   static void greet(StandaloneAsio::Socket socket) {
     socket.send(asio::buffer("hello", 5));

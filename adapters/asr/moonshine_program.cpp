@@ -170,6 +170,8 @@ void MoonshineProgram::ask(TurnNumber turn, std::string frame) {
 
 void MoonshineProgram::listen() {
   look_at_clock();
+  if (!connection_)
+    return;
   output_.await(connection_->socket(), POLLIN);
   error_output_.await(connection_->errors(), POLLIN);
 }

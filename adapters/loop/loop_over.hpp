@@ -69,11 +69,15 @@ private:
     return start_thread();
   }
 
-  // Threads inherit the mask of the one that starts them.
+  // Threads inherit the mask of the one that starts them. Signals are for the
+  // other threads, but for those of this one's own mistakes, which a sanitizer
+  // tells.
   Expected<void> start_thread() {
     sigset_t all;
     sigset_t before;
     sigfillset(&all);
+    for (const int mistake : {SIGBUS, SIGFPE, SIGILL, SIGSEGV})
+      sigdelset(&all, mistake);
     pthread_sigmask(SIG_BLOCK, &all, &before);
     Expected<void> started;
     try {

@@ -59,14 +59,13 @@ Span span_of(EntityId entity, std::size_t begin, std::size_t end) {
   return span;
 }
 
-// Whether all these words are a value of some set, or some of them the same
-// name and well understood.
+// Whether all these words are a value of some set, or the same name and well
+// understood.
 bool names_as_well(const Span& span, const ValueMatch& heard, EntityId entity) {
-  const bool covers = span.begin <= heard.begin && heard.end <= span.end;
-  const bool overlaps = span.begin < heard.end && heard.begin < span.end;
-  return is_set(span.entity) &&
-         ((covers && span.is_certain()) ||
-          (overlaps && span.entity == entity && span.values == heard.values &&
+  return is_set(span.entity) && span.begin <= heard.begin &&
+         heard.end <= span.end &&
+         (span.is_certain() ||
+          (span.entity == entity && span.values == heard.values &&
            span.confidence >= well_understood_name));
 }
 
@@ -91,7 +90,7 @@ Spans::Spans(const Schema& schema, const Utterance& utterance,
         !utterance.filler[at] && !utterance.function[at] && !is_comment(word);
   }
   add_forms(entities, now);
-  add_values(entities);
+  add_values(entities, heard);
   if (heard)
     add_heard_names(entities);
   order();
@@ -154,13 +153,15 @@ void Spans::mark_plain(const Span& span) {
       plain_[at] = true;
 }
 
-void Spans::add_values(const std::vector<EntityId>& entities) {
+void Spans::add_values(const std::vector<EntityId>& entities, bool heard) {
   if (entities.empty() || !is_set(entities.back()))
     return;
   for (auto& match : schema_.values().find(utterance_.tokens, plain_)) {
     const auto entity = first_set_entity + match.set;
     if (!std::ranges::binary_search(entities, entity))
       continue;
+    if (heard)
+      add_names_of_the_same_sound(schema_.values(), match);
     auto span = span_of(entity, match.begin, match.end);
     span.values = std::move(match.values);
     span.confidence = static_cast<float>(match.confidence);

@@ -90,7 +90,7 @@ public:
 
 private:
   void add_forms(const std::vector<EntityId>& entities, Now now);
-  void add_values(const std::vector<EntityId>& entities);
+  void add_values(const std::vector<EntityId>& entities, bool heard);
   void add_heard_names(const std::vector<EntityId>& entities);
   void add_heard_name(EntityId entity, ValueMatch&& match);
   void add(Span span);

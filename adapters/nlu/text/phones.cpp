@@ -23,6 +23,7 @@ constexpr LetterGroups beginnings(std::to_array<LetterGroup>({{"zh", "j"},
                                                               {"kn", "n"},
                                                               {"wr", "r"},
                                                               {"hw", "w"},
+                                                              {"nguy", "uN"},
                                                               {"ng", "uN"},
                                                               {"sng", "suN"},
                                                               {"gh", "g"},
@@ -305,22 +306,6 @@ std::string outline_of(std::string_view phones) {
     if (const char kind = kind_of(phone);
         kind != '\0' && (made.empty() || made.back() != kind))
       made += kind;
-  return made;
-}
-
-NameSounds sounds_of_name(const std::vector<std::string>& words) {
-  // The tokenizer makes two words of "s/o".
-  const auto is_son = [&](std::size_t at) {
-    return at + 1 < words.size() && words[at + 1] == "o" &&
-           (words[at] == "s" || words[at] == "d");
-  };
-  NameSounds made;
-  for (std::size_t at = 0; at < words.size(); ++at)
-    if (is_son(at))
-      made.phones += phones_of(words[at] == "s" ? "son" : "daughter");
-    else
-      made.phones += phones_of(at > 0 && is_son(at - 1) ? "of" : words[at]);
-  made.kinds = sounds_in(made.phones);
   return made;
 }
 

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace parlour::adapters::nlu {
 
@@ -33,14 +32,5 @@ double sounds_alike_at_most(std::uint32_t left, std::uint32_t right,
 // that come and go (h, w, y): equal for words that may be written for each
 // other. "jang" and "zhang" have "sn", and so has "shin".
 std::string outline_of(std::string_view phones);
-
-// The sounds of a whole name, its words one behind the other.
-struct NameSounds {
-  std::string phones;
-  std::uint32_t kinds = 0; // a bit for each of them, as by sounds_in()
-};
-
-// As it is said: "s/o" is "son of". `words` are in lower case.
-NameSounds sounds_of_name(const std::vector<std::string>& words);
 
 } // namespace parlour::adapters::nlu

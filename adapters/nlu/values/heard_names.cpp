@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "adapters/nlu/text/name_sounds.hpp"
 #include "adapters/nlu/text/phones.hpp"
 #include "adapters/nlu/text/words.hpp"
 
@@ -16,10 +17,10 @@ namespace {
 constexpr std::size_t most_words = 8;
 // Shorter names sound like too much else.
 constexpr std::size_t least_sounds = 5;
-// How alike they must be as a whole, where the words are others, and each word
-// of as many: Peter Low is no Peter Ho.
+// How alike they must be as a whole, where the words are others of names but
+// not as many, and each word: Peter Low is no Peter Ho.
 constexpr double least_alike = 0.75;
-constexpr double least_in_other_words = 0.8;
+constexpr double least_in_other_words = 0.85;
 constexpr double least_of_a_word = 0.7;
 // So much alike, and three words may be divided otherwise: "Fujun Kai Ad".
 constexpr double least_of_many_words = 0.85;
@@ -36,16 +37,13 @@ constexpr double of_no_worth = 0.7;
 constexpr double most_longer = 0.35;
 // Of runs with names, for one utterance.
 constexpr std::size_t most_comparisons = 2'000'000;
+// Of sounds that are divided as the words of a name, for one utterance.
+constexpr std::size_t most_divisions = 1'000;
 
 struct Heard {
   ValueMatch match;
   double evidence = 0;
 };
-
-// "bin", "son of": they are misheard most, and tell nobody apart.
-bool joins_names(const std::string& word) {
-  return is_light(word) || is_title(word);
-}
 
 bool may_be_alike(const NameSounds& one, const NameSounds& other) {
   const auto [shorter, longer] =
@@ -79,13 +77,24 @@ public:
   }
 
 private:
-  // "I am …" and "my name is …" lead in who speaks.
+  // "I am …" and "my name is …" lead in who speaks. They are no part of it.
   bool is_own_name(std::uint32_t begin) const {
-    const auto before = [&](std::uint32_t by) -> std::string_view {
-      return begin >= by ? tokens_.list[begin - by].word : std::string_view();
+    const auto leads_in = [&](std::uint32_t at) {
+      const auto& list = tokens_.list;
+      return list[at].word == "am" ||
+             (list[at].word == "is" && at > 0 && list[at - 1].word == "name");
     };
-    return before(1) == "am" || (before(1) == "is" && before(2) == "name");
+    return leads_in(begin) || (begin > 0 && leads_in(begin - 1));
   }
+
+  // Words that may be a name.
+  struct Run {
+    std::uint32_t begin;
+    std::vector<std::string> words;
+    NameSounds sounds;
+    // They hardly are parts of other words.
+    bool are_words_of_names;
+  };
 
   void look_from(std::uint32_t begin) {
     const auto& list = tokens_.list;
@@ -102,15 +111,39 @@ private:
         continue;
       ++names;
       unknown += plain_[at] ? 0U : 1U;
-      if (unknown * 2 >= names)
-        compare({set_, begin, at + 1, {}, 0, true, false}, words);
+      if (unknown * 2 >= names && !is_beside_names(begin, at + 1))
+        compare(
+            {begin, words, sounds_of_name(words), are_words_of_names(words)});
     }
+  }
+
+  bool is_of_grammars_only(std::uint32_t at) const {
+    return plain_[at] && !index_.has_word(tokens_.list[at].word);
+  }
+
+  bool are_words_of_names(const std::vector<std::string>& words) const {
+    return std::ranges::all_of(words, [&](const std::string& word) {
+      return joins_names(word) || index_.has_word(word);
+    });
+  }
+
+  // "To see him, Boon Keng": words that grammars use, and after a pause words
+  // of names.
+  bool is_beside_names(std::uint32_t begin, std::uint32_t end) const {
+    const auto& list = tokens_.list;
+    auto pause = begin;
+    while (pause < end && is_of_grammars_only(pause))
+      ++pause;
+    return begin < pause && pause < end && list[pause].before != Break::none &&
+           std::all_of(
+               list.begin() + pause, list.begin() + end,
+               [&](const Token& token) { return index_.has_word(token.word); });
   }
 
   using Found = std::vector<std::pair<double, std::uint32_t>>;
 
-  void compare(ValueMatch match, const std::vector<std::string>& words) {
-    const auto heard = sounds_of_name(words);
+  void compare(const Run& run) {
+    const auto& heard = run.sounds;
     if (heard.phones.size() < least_sounds)
       return;
     --runs_left_;
@@ -119,18 +152,19 @@ private:
       if (may_be_alike(heard, names_[name]))
         if (const auto alike =
                 sounds_alike(heard.phones, names_[name].phones, least_alike);
-            alike >= least_alike && may_be(words, name, alike))
+            alike >= least_alike && may_be(run, name, alike))
           found.emplace_back(-alike, name);
     if (found.empty())
-      found = beside_the_first(words, heard, match);
+      found = beside_the_first(run);
     if (found.empty())
       return;
     std::ranges::sort(found);
+    const auto end = run.begin + static_cast<std::uint32_t>(run.words.size());
+    ValueMatch match{set_, run.begin, end, {}, -found[0].first, true, false};
     for (const auto& [unlike, name] : found)
       if (unlike <= found[0].first + as_good &&
           match.values.size() < most_names)
         match.values.push_back(name);
-    match.confidence = -found[0].first;
     const auto evidence =
         (match.confidence - of_no_worth) * double(heard.phones.size());
     heard_.push_back({std::move(match), evidence});
@@ -138,8 +172,8 @@ private:
 
   // Names that begin with the first of these words, of which the others are no
   // words of names, nor of grammars.
-  Found beside_the_first(const std::vector<std::string>& words,
-                         const NameSounds& heard, const ValueMatch& run) const {
+  Found beside_the_first(const Run& run) const {
+    const auto& words = run.words;
     Found found;
     if (words.size() < 2 || !index_.has_word(words[0]))
       return found;
@@ -152,8 +186,8 @@ private:
     for (std::uint32_t name = 0; name < names_.size(); ++name)
       if (names_[name].phones.find(first) != std::string::npos &&
           is_rest_alike(words[0], rest, name))
-        found.emplace_back(-sounds_alike(heard.phones, names_[name].phones),
-                           name);
+        found.emplace_back(
+            -sounds_alike(run.sounds.phones, names_[name].phones), name);
     return found;
   }
 
@@ -176,24 +210,52 @@ private:
     return words;
   }
 
-  bool may_be(std::vector<std::string> words, std::uint32_t name,
-              double alike) const {
-    auto others = words_of_name(name);
+  // `alike`: how much the whole run sounds like the name.
+  bool may_be(const Run& run, std::uint32_t name, double alike) {
+    auto words = run.words;
+    const auto name_words = words_of_name(name);
+    auto others = name_words;
     std::erase_if(words, joins_names);
     std::erase_if(others, joins_names);
-    // A part of the name as it is written is found by ValueIndex::find.
-    if (words.size() != others.size())
-      return alike >= least_in_other_words &&
-             !std::ranges::all_of(words, [&](const std::string& word) {
-               return std::ranges::find(others, word) != others.end();
-             });
+    if (words.size() == others.size()) {
+      if (is_enough(unlike_pairs(words, others), others, alike))
+        return true;
+      if (run.are_words_of_names)
+        return false;
+    } else if (is_part_of(words, others) ||
+               (run.are_words_of_names && alike < least_in_other_words)) {
+      return false;
+    }
+    if (divisions_left_ == 0)
+      return false;
+    --divisions_left_;
+    return is_enough(
+        words_unlike(run.sounds.phones, name_words, least_of_a_word), others,
+        alike);
+  }
+
+  static bool is_enough(std::size_t unlike,
+                        const std::vector<std::string>& name, double alike) {
+    return unlike == 0 ||
+           (name.size() >= 3 && (unlike == 1 || alike >= least_of_many_words));
+  }
+
+  static std::size_t unlike_pairs(const std::vector<std::string>& words,
+                                  const std::vector<std::string>& others) {
     std::size_t unlike = 0;
     for (std::size_t at = 0; at < words.size(); ++at)
       if (sounds_alike(phones_of(words[at]), phones_of(others[at])) <
           least_of_a_word)
         ++unlike;
-    return unlike == 0 ||
-           (words.size() >= 3 && (unlike == 1 || alike >= least_of_many_words));
+    return unlike;
+  }
+
+  // A part of the name as it is written is found by ValueIndex::find.
+  static bool is_part_of(const std::vector<std::string>& words,
+                         const std::vector<std::string>& name) {
+    return std::ranges::all_of(words, [&](const std::string& word) {
+      return std::ranges::find(name, word) != name.end();
+    });
   }
 
   const ValueIndex& index_;
@@ -202,6 +264,7 @@ private:
   const Tokens& tokens_;
   const std::vector<bool>& plain_;
   std::size_t runs_left_;
+  std::size_t divisions_left_ = most_divisions;
   std::vector<Heard> heard_;
 };
 
@@ -213,6 +276,16 @@ std::vector<ValueMatch> heard_names(const ValueIndex& index, SetId set,
   return index.has_people(set) && !index.has_things(set)
              ? NameSearch(index, set, tokens, plain).run()
              : std::vector<ValueMatch>();
+}
+
+void add_names_of_the_same_sound(const ValueIndex& index, ValueMatch& match) {
+  if (match.values.size() != 1 || !match.whole || !index.has_people(match.set))
+    return;
+  const auto said = match.values[0];
+  const auto& names = index.sounds(match.set);
+  for (std::uint32_t name = 0; name < names.size(); ++name)
+    if (name != said && names[name].phones == names[said].phones)
+      match.values.push_back(name);
 }
 
 } // namespace parlour::adapters::nlu

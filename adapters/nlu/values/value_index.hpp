@@ -18,7 +18,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "adapters/nlu/text/phones.hpp"
+#include "adapters/nlu/text/name_sounds.hpp"
 #include "adapters/nlu/text/tokens.hpp"
 #include "adapters/nlu/text/word_index.hpp"
 

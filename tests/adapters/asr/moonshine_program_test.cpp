@@ -100,6 +100,11 @@ TEST_F(MoonshineProgramTest, LoadingForEverIsNoticed) {
   EXPECT_EQ(over_after_finish("is never ready"), "it is not ready in time");
 }
 
+TEST_F(MoonshineProgramTest, NoTimeToLoadIsNoticed) {
+  order.ready_within = 0ms;
+  EXPECT_EQ(over_after_finish("is never ready"), "it is not ready in time");
+}
+
 TEST_F(MoonshineProgramTest, NeedsAnInterpreter) {
   order.program = "/no/such/node";
   const auto started = MoonshineProgram::start(order, {});

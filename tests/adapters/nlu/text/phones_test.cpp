@@ -13,17 +13,6 @@ double alike(const char* left, const char* right) {
   return sounds_alike(phones_of(left), phones_of(right));
 }
 
-TEST(Phones, ReadAWholeNameAsItIsSaid) {
-  EXPECT_EQ(sounds_of_name({"anand", "s", "o", "nair"}).phones,
-            sounds_of_name({"anand", "son", "of", "nair"}).phones);
-  EXPECT_EQ(sounds_of_name({"devi", "d", "o", "nair"}).phones,
-            sounds_of_name({"devi", "daughter", "of", "nair"}).phones);
-  const auto made = sounds_of_name({"quek", "xiu"});
-  EXPECT_EQ(made.phones, "kwekSiu");
-  EXPECT_EQ(made.kinds, sounds_in("kwekSiu"));
-  EXPECT_TRUE(sounds_of_name({}).phones.empty());
-}
-
 TEST(Phones, ReadHowNamesAreWritten) {
   EXPECT_EQ(phones_of("xiu"), "Siu");
   EXPECT_EQ(phones_of("quek"), "kwek");

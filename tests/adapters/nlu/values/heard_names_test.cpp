@@ -10,10 +10,12 @@ namespace parlour::adapters::nlu {
 namespace {
 
 const std::vector<std::string> staff{
-    "Rajesh s/o Chandran",  "Quek Xue Qing", "Koh Sok Hwee", "Katherine Neo",
-    "Catherine Neo",        "Koh Ming Hui",  "Goh Ming Hui", "Jeffery Ho",
-    "Devi d/o Govindasamy", "Kelvin Palmer", "Grace Chen",   "Ng Eng Hng",
-    "Lorraine Goh"};
+    "Rajesh s/o Chandran", "Quek Xue Qing",      "Koh Sok Hwee",
+    "Katherine Neo",       "Catherine Neo",      "Koh Ming Hui",
+    "Goh Ming Hui",        "Jeffery Ho",         "Devi d/o Govindasamy",
+    "Kelvin Palmer",       "Grace Chen",         "Ng Eng Hng",
+    "Lorraine Goh",        "Vijay s/o Chandran", "Foo Lay Peng",
+    "Chia Lay Peng"};
 
 // The names found, each behind its words, candidates joined by "|". Words that
 // grammars use are "plain".
@@ -54,6 +56,40 @@ TEST(HeardNames, AreAlikeInEachOfAsManyWords) {
   EXPECT_EQ(heard("Jonathan Palmer"), "");
   // One of three may be otherwise.
   EXPECT_EQ(heard("Wen Xue Qing"), "Wen Xue Qing=Quek Xue Qing");
+}
+
+TEST(HeardNames, AreDividedIntoOtherWords) {
+  EXPECT_EQ(heard("Vijson of Chandran"),
+            "Vijson of Chandran=Vijay s/o Chandran");
+  EXPECT_EQ(heard("Cosokwee"), "Cosokwee=Koh Sok Hwee");
+  // Words of names are two people's.
+  EXPECT_EQ(heard("Jeffery Peng"), "");
+}
+
+// The given name is enough to ask which of them.
+TEST(HeardNames, BeginWithNoPlainWordBeforeWordsOfNames) {
+  const std::vector<std::string> plain{"to", "see", "you", "few"};
+  EXPECT_EQ(heard("to see you, Lay Peng", staff, plain), "");
+  EXPECT_EQ(heard("to see few Lay Peng", staff, plain),
+            "few Lay Peng=Foo Lay Peng");
+}
+
+TEST(HeardNames, OfTheSameSoundAreAllMeant) {
+  ValueIndex index;
+  const auto set = index.add(staff);
+  const auto all = [&](const char* text) {
+    const auto tokens = tokenize(text);
+    std::string names;
+    for (auto match : index.find(tokens, std::vector<bool>(16, false))) {
+      add_names_of_the_same_sound(index, match);
+      for (const auto value : match.values)
+        names += (names.empty() ? "" : "|") + index.value(set, value);
+    }
+    return names;
+  };
+  EXPECT_EQ(all("Catherine Neo"), "Catherine Neo|Katherine Neo");
+  EXPECT_EQ(all("Katherine Neo"), "Katherine Neo|Catherine Neo");
+  EXPECT_EQ(all("Goh Ming Hui"), "Goh Ming Hui"); // "Koh" is another sound
 }
 
 TEST(HeardNames, AreOfThoseWhoseFirstWordWasHeard) {

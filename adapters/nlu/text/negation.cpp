@@ -202,4 +202,29 @@ bool is_negated_order(const Tokens& tokens, const std::vector<bool>& negates) {
   return negations.ends_without();
 }
 
+bool calls_off(const Tokens& tokens) {
+  static const Words thoughts{"if", "when", "whether", "until", "unless"};
+  static const Words verbs{"cancel", "canceling", "cancelling"};
+  // "call that meeting off"
+  constexpr std::size_t farthest_off = 4;
+  const auto& list = tokens.list;
+  bool is_thought = false;
+  std::size_t calls = list.size(); // the last "call"
+  for (std::size_t token = 0; token < list.size(); ++token) {
+    const auto& word = list[token].word;
+    if (list[token].before == Break::sentence) {
+      is_thought = false;
+      calls = list.size();
+    }
+    is_thought = is_thought || thoughts.contains(word);
+    if (word == "call" || word == "calling")
+      calls = token;
+    const bool is_off =
+        word == "off" && calls < token && token - calls <= farthest_off;
+    if (!is_thought && (verbs.contains(word) || is_off))
+      return true;
+  }
+  return false;
+}
+
 } // namespace parlour::adapters::nlu

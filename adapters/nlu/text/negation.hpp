@@ -30,4 +30,9 @@ bool is_warning(const Tokens& tokens, std::size_t token);
 // `negates` is the result of negations().
 bool is_negated_order(const Tokens& tokens, const std::vector<bool>& negates);
 
+// Whether it is wanted that something ends or does not happen: "cancel my
+// table", "can we call it off". Not where that is only thought of: "what if I
+// cancel it".
+bool calls_off(const Tokens& tokens);
+
 } // namespace parlour::adapters::nlu

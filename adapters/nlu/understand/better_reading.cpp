@@ -81,8 +81,23 @@ bool BetterReading::are_weak_courtesies(
          });
 }
 
+// "Cancel my table for Monday": what is said behind it, in the same breath, is
+// what is not wanted any more. "Cancel that and make it Monday" is complete.
+bool BetterReading::name_what_ends(const std::vector<BuiltAct>& acts) const {
+  static constexpr std::array<std::string_view, 6> pronouns{
+      "it", "that", "this", "them", "everything", "all"};
+  const auto& tokens = utterance_.tokens.list;
+  return acts.size() > 1 && acts[0].act == "cancel" &&
+         acts[0].topic == no_topic && acts[0].end < tokens.size() &&
+         !has(pronouns, tokens[acts[0].end - 1].word) &&
+         std::none_of(
+             tokens.begin() + acts[0].end, tokens.end(),
+             [](const Token& token) { return token.before != Break::none; });
+}
+
 bool BetterReading::leaves_open(const std::vector<BuiltAct>& acts) const {
   return are_openings(acts) || are_weak_courtesies(acts) ||
+         name_what_ends(acts) ||
          (acts.size() == 1 &&
           (acts[0].topic == no_topic
                ? is_replaceable(acts[0])
@@ -237,12 +252,18 @@ bool BetterReading::choose(std::vector<BuiltAct>& acts,
                            const BuiltAct& hypothesis) const {
   const bool opens = are_openings(acts) || (are_weak_courtesies(acts) &&
                                             hypothesis.score > very_likely);
+  if (hypothesis.act == "cancel" && hypothesis.score > likely &&
+      name_what_ends(acts)) {
+    acts = {hypothesis};
+    return true;
+  }
   if (!opens && acts.size() > 1)
     return false;
   const bool is_sentence =
       !opens && well_taught_ && is_better_sentence(acts[0], hypothesis);
   const bool better = opens || is_sentence || is_better(acts[0], hypothesis);
   const bool means_other = opens || acts[0].topic != hypothesis.topic ||
+                           hypothesis.act == "cancel" ||
                            (is_sentence && hypothesis.score > very_likely &&
                             says_other(hypothesis, acts[0]));
   if (better && means_other) {

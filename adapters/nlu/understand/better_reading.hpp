@@ -37,6 +37,7 @@ public:
   bool choose(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis) const;
 
 private:
+  bool name_what_ends(const std::vector<BuiltAct>& acts) const;
   bool are_weak_courtesies(const std::vector<BuiltAct>& acts) const;
   bool is_better(const BuiltAct& act, const BuiltAct& hypothesis) const;
   bool is_better_sentence(const BuiltAct& act,

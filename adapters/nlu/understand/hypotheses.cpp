@@ -218,6 +218,16 @@ BuiltAct refusal(const Utterance& utterance, double score) {
   return act;
 }
 
+BuiltAct calling_off(const Utterance& utterance,
+                     const TopicHypothesis& hypothesis) {
+  BuiltAct act;
+  act.act = "cancel";
+  act.topic = hypothesis.topic;
+  act.end = static_cast<std::uint32_t>(utterance.size());
+  act.score = hypothesis.probability;
+  return act;
+}
+
 // Instead of what was found for these slots.
 void add_constants(
     BuiltAct& act,
@@ -282,6 +292,7 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
   auto topics = learned.topics(words);
   const ValueEvidence evidence(utterance, words, schema, topics);
   std::vector<std::vector<Feature>> features;
+  const bool is_called_off = calls_off(utterance.tokens);
   for (std::size_t at = 0; at < topics.size(); ++at) {
     const auto& hypothesis = topics[at];
     const auto& constants = hypothesis.label->constants;
@@ -305,6 +316,12 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
         is_negated_order(utterance.tokens, utterance.negates)) {
       if (acts.empty())
         return {refusal(utterance, probability)};
+      continue;
+    }
+    // What a task is for is not wanted any more, and begins nothing.
+    if (is_called_off && !topic.enquiry && !hypothesis.label->calls_off) {
+      if (acts.empty())
+        return {calling_off(utterance, hypothesis)};
       continue;
     }
     act.act = topic.usual_act();

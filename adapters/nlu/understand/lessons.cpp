@@ -116,6 +116,8 @@ Expected<void> Lessons::add(const LessonLabel& meaning,
   auto& label = labels[number - 1];
   if (is_negated_order(read.utterance.tokens, read.utterance.negates))
     label.negates = true;
+  if (calls_off(read.utterance.tokens))
+    label.calls_off = true;
   const auto& topic = schema_.at(label.topic);
   for (const auto& mark : marked.marks)
     if (const auto* slot = topic.find(mark.slot);

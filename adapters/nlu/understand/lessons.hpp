@@ -34,6 +34,7 @@ struct LessonLabel {
   // Slots that all of its wordings say, in the order of their names.
   std::vector<std::string> needs;
   bool negates = false;         // some of its texts are negated orders
+  bool calls_off = false;       // some of its texts call something off
   bool takes_any_words = false; // a slot of the topic does
 };
 

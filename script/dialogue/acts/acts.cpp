@@ -247,6 +247,9 @@ bool is_generic(const Act& act) {
   case ActKind::confirm:
   case ActKind::deny: // of a slot, or to no question: not understood
     return false;
+  case ActKind::cancel: // "cancel the table for Monday" begins no booking
+  case ActKind::abandon:
+    return true;
   default:
     return act.slots.empty();
   }

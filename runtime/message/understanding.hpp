@@ -84,7 +84,8 @@ using ColumnReader =
 //                of several values {items}: a list of such, each with its
 //                `amount`; `more`: so many in addition; `unmatched`: true if
 //                the words are where a value belongs and are none; `heard`:
-//                true if they only sound like the value
+//                true if they only sound like the value. Words that are
+//                unmatched and have no value name the slot itself: "the day"
 //   text         the words
 //   elliptical   boolean
 //   alternatives list of acts, on the first act only
@@ -113,7 +114,8 @@ inline constexpr const char* heard = "heard";
 // the latest last), current and resting topic, unfinished (a list of topics),
 // completed (the task that was completed last), choices (a list: what is
 // offered), confirms (the words of the yes-or-no question that was asked),
-// grammar (or unknown), heard (a list of texts: what else a recogniser may have
-// heard; unknown: the words were typed), and now (in ms).
+// changes ({topic, slots: name -> label} of which it was asked whether they are
+// right), grammar (or unknown), heard (a list of texts: what else a recogniser
+// may have heard; unknown: the words were typed), and now (in ms).
 
 } // namespace parlour

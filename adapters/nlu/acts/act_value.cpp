@@ -32,6 +32,8 @@ Value fill_value(const Fill& fill, const Utterance& utterance,
                  const BuiltAct& act) {
   const std::string text(
       words_of(utterance.text, utterance.tokens, fill.begin, fill.end));
+  if (fill.is_name)
+    return Map{{act_key::unmatched, true}, {act_key::text, text}};
   Map made{{act_key::value, text}, {act_key::confidence, 1.0}};
   if (fill.literal) {
     made.set(act_key::value, *fill.literal);

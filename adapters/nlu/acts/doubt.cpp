@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "adapters/nlu/acts/courtesies.hpp"
+#include "adapters/nlu/acts/other_terms.hpp"
 #include "adapters/nlu/acts/refusals.hpp"
 #include "adapters/nlu/parse/question_words.hpp"
 #include "adapters/nlu/text/has.hpp"
@@ -19,7 +20,8 @@ namespace {
 constexpr std::array<std::string_view, 5> questions{"help", "repeat", "explain",
                                                     "options", "rephrase"};
 // Acts beside which a yes is none, but a no is.
-constexpr std::array<std::string_view, 2> hesitations{"wait", "refuse"};
+constexpr std::array<std::string_view, 4> hesitations{"wait", "refuse",
+                                                      "cancel", "abandon"};
 
 // A weight below this is rounding, not a word.
 constexpr double min_weight = 0.05;
@@ -83,6 +85,7 @@ public:
     const bool asks = std::ranges::any_of(acts_, [](auto& act) {
       return act.topic == no_topic && has(questions, act.act);
     });
+    leave_out_yes_on_other_terms();
     if (contradicts || asks)
       std::erase_if(acts_, [](auto& act) { return is_answer(act); });
     const bool hesitates = std::ranges::any_of(acts_, [](auto& act) {
@@ -132,7 +135,8 @@ private:
   }
 
   bool repeats_question(const BuiltAct& act) const {
-    return !is_answer(act) && act.act != "correct" && question_.has_all_of(act);
+    return !is_answer(act) && act.act != "correct" && act.act != "wait" &&
+           question_.has_all_of(act);
   }
 
   // "Did you say blue?" "Yes, blue, don't book it.": the value of the question,
@@ -168,9 +172,41 @@ private:
            });
   }
 
+  // A time begins nothing of its own then.
+  void leave_out_yes_on_other_terms() {
+    const auto yes = std::ranges::find_if(
+        acts_, [](auto& act) { return is_plain(act, "confirm"); });
+    if (yes == acts_.end())
+      return;
+    if (const auto terms = other_terms(utterance_, acts_, *yes, context_))
+      std::erase_if(acts_, [&](auto& act) {
+        return is_plain(act, "confirm") ||
+               (act.elliptical && act.begin < terms->end &&
+                terms->begin < act.end);
+      });
+  }
+
+  // "Okay, who is it?" only begins what follows in the same sentence, which is
+  // about something else than what is asked.
+  bool opens_other(const BuiltAct& act) const {
+    const bool waits_for_value =
+        context_.asked_topic != no_topic && context_.confirms.empty();
+    if (waits_for_value || !is_nod(act))
+      return false;
+    const auto sentence =
+        stretch_of(utterance_.tokens, {act.begin, act.end}, Break::sentence);
+    return std::ranges::any_of(acts_, [&](auto& other) {
+      const bool is_other =
+          other.topic == no_topic
+              ? other.act == "greet"
+              : !other.elliptical && !context_.goes_on(other.topic);
+      return is_other && act.end <= other.begin && other.begin < sentence.end;
+    });
+  }
+
   bool is_nod(const BuiltAct& act) const {
-    static constexpr std::array<std::string_view, 5> words{
-        "ok", "okay", "right", "alright", "all"};
+    static constexpr std::array<std::string_view, 8> words{
+        "ok", "okay", "right", "alright", "all", "fine", "good", "great"};
     for (auto token = act.begin; token < act.end; ++token)
       if (!has(words, word(token)))
         return false;
@@ -214,7 +250,7 @@ private:
     if (is_plain(act, "help"))
       return knows_nobody(act);
     if (is_plain(act, "confirm"))
-      return is_right_now(act) || leaves_words(act.begin) ||
+      return is_right_now(act) || opens_other(act) || leaves_words(act.begin) ||
              (is_asked(act) && !answers_by_asking(act)) || is_suggestion(act) ||
              is_turned_round(act) || is_before_tag(act);
     if (is_plain(act, "cancel") || is_plain(act, "abandon"))
@@ -242,7 +278,8 @@ private:
     for (std::size_t token = 0; token < utterance_.size(); ++token) {
       if (understood_[token])
         continue;
-      const bool turns = is_turning_word(word(token));
+      const bool turns =
+          is_turning_word(word(token)) || is_asking_word(word(token));
       const bool means_nothing = utterance_.weight[token] < min_weight ||
                                  question_.has(token) || token >= end;
       if (turns || (!means_nothing && !may_follow(token, yes)))

@@ -16,8 +16,9 @@ class Clauses {
 public:
   Clauses(const std::vector<Island>& islands, const Utterance& utterance,
           const Context& context)
-      : islands_(islands), utterance_(utterance),
-        question_(utterance, context) {}
+      : islands_(islands), utterance_(utterance), question_(utterance, context),
+        asks_for_more_(std::ranges::find(context.confirms, "else") !=
+                       context.confirms.end()) {}
 
   // Whoever asks where something stops wants nothing to stop, and "can I leave
   // it with you" breaks off nothing.
@@ -52,6 +53,16 @@ public:
           !is_said_apart(island, token))
         return true;
     return false;
+  }
+
+  // "That's it" is no more where more is asked for, and a yes elsewhere.
+  bool is_other_end(const Island& island) const {
+    if (!is_one_of(word(island.begin), {"that"}) ||
+        island.end < island.begin + 3 || word(island.begin + 1) != "is" ||
+        !is_one_of(word(island.begin + 2), {"it", "everything"}))
+      return false;
+    return asks_for_more_ ? is_generic(island, "confirm")
+                          : is_generic(island, "deny");
   }
 
   // "Which one have I to bring back on Friday?"
@@ -227,6 +238,7 @@ private:
   const std::vector<Island>& islands_;
   const Utterance& utterance_;
   QuestionWords question_;
+  const bool asks_for_more_; // "Anything else?"
 };
 
 } // namespace
@@ -240,8 +252,9 @@ void leave_out_half_clauses(std::vector<Island>& islands,
            clauses.is_half_a_yes(island) ||
            clauses.is_yes_of_question(island) ||
            clauses.is_tag_within(island) || clauses.is_bye_within(island) ||
-           clauses.is_other_start(island) || clauses.is_marker_within(island) ||
-           clauses.is_no_within(island) || clauses.is_never_minded(island);
+           clauses.is_other_start(island) || clauses.is_other_end(island) ||
+           clauses.is_marker_within(island) || clauses.is_no_within(island) ||
+           clauses.is_never_minded(island);
   });
 }
 

@@ -32,13 +32,37 @@ void read_said(const Value& said, const Schema& schema, Context& context) {
       context.said.push_back(*slot);
 }
 
-// The words are those of the tokenizer, so that they can be compared with
-// tokens.
-void read_confirms(const Value& question, Context& context) {
-  if (!question.if_string())
+// Those of the tokenizer, so that they can be compared with tokens.
+std::vector<std::string> words_in(const std::string& text) {
+  std::vector<std::string> words;
+  for (auto& token : tokenize(text).list)
+    words.push_back(std::move(token.word));
+  return words;
+}
+
+// Of what is said with a question: "Shall I block it? I cannot take that back."
+// All of it where nothing is asked with a question mark.
+std::string questions_of(const std::string& text) {
+  std::string questions;
+  std::size_t begin = 0;
+  for (auto end = text.find_first_of(".!?"); end != std::string::npos;
+       end = text.find_first_of(".!?", begin)) {
+    if (text[end] == '?')
+      questions += text.substr(begin, end + 1 - begin);
+    begin = end + 1;
+  }
+  return questions.empty() ? text : questions;
+}
+
+void read_changes(const Value& changes, const Schema& schema,
+                  Context& context) {
+  const auto* slots = changes.if_map() ? changes["slots"].if_map() : nullptr;
+  if (!slots)
     return;
-  for (auto& token : tokenize(*question.if_string()).list)
-    context.confirms.push_back(std::move(token.word));
+  context.changes_topic = schema.topic(changes["topic"].text());
+  for (const auto& [slot, name] : slots->entries())
+    if (name.if_string())
+      context.changes.push_back({slot, words_in(*name.if_string())});
 }
 
 } // namespace
@@ -84,7 +108,9 @@ Context read_context(const Value& context, const Schema& schema) {
         read.unfinished.push_back(topic);
   if (const auto* grammar = context["grammar"].if_string())
     read.grammar = *grammar;
-  read_confirms(context["confirms"], read);
+  if (const auto* question = context["confirms"].if_string())
+    read.confirms = words_in(questions_of(*question));
+  read_changes(context["changes"], schema, read);
   if (const auto* choices = context["choices"].if_list())
     for (const auto& choice : *choices)
       read.choices.push_back(choice.text());

@@ -32,6 +32,14 @@ struct Context {
   std::string grammar;
   // The words of the question to which a yes or no is expected; empty: none.
   std::vector<std::string> confirms;
+  // The slots of which it was asked whether they are right, each with what it
+  // is called.
+  struct NamedSlot {
+    std::string slot;
+    std::vector<std::string> words;
+  };
+  TopicNumber changes_topic = no_topic;
+  std::vector<NamedSlot> changes;
   // What the last question offers ("Do you mean A or B?"); empty: nothing.
   std::vector<std::string> choices;
   Now now;

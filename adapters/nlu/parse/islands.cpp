@@ -161,7 +161,7 @@ private:
 } // namespace
 
 bool is_open(const Fill& fill, const Spans& spans) {
-  return !fill.literal &&
+  return !fill.literal && !fill.is_name &&
          (!fill.span || spans[*fill.span].entity == words_entity);
 }
 

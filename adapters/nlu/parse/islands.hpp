@@ -23,6 +23,8 @@ struct Fill {
   std::uint32_t end = 0;
   // Any words: neither of a list nor of a normal form.
   bool open = false;
+  // The words name the slot, and give no value.
+  bool is_name = false;
 };
 
 // Whether the fill's value is nothing but words.

@@ -100,11 +100,12 @@ public:
   // "One moment, I have it written down": beside a wish to wait, an answer has
   // a clause of its own and looks like a name. "No, not three, four": beside a
   // correction, words that another slot takes belong to that, and "what am I
-  // saying" is no name.
+  // saying" is no name. "How much is a check-up for a dog" is all of one
+  // question.
   bool speak_against(const Island& answer, const Fill& fill) const {
     if (!answer.asked)
       return false;
-    if (is_form_of_rule(fill))
+    if (is_form_of_rule(fill) || ends_other_sentence(answer, fill))
       return true;
     const TokenRange value{fill.begin, fill.end};
     const auto& first = token_at(utterance_, fill.begin).word;
@@ -221,6 +222,24 @@ private:
            std::ranges::any_of(islands_, [&](const Island& island) {
              return holds(island) && !overlap(island, answer);
            });
+  }
+
+  // Whether a sentence of a rule about something else goes on with the answer,
+  // which does not look like a name.
+  bool ends_other_sentence(const Island& answer, const Fill& fill) const {
+    const auto& first = token_at(utterance_, answer.begin);
+    return first.before == Break::none &&
+           !is_capital(
+               utterance_.text[token_at(utterance_, fill.begin).begin]) &&
+           std::ranges::any_of(islands_, [&](const Island& other) {
+             return other.end == answer.begin && is_sentence(other) &&
+                    std::ranges::find_first_of(other.topics, answer.topics) ==
+                        other.topics.end();
+           });
+  }
+  static bool is_sentence(const Island& island) {
+    return island.is_content() && !island.rule->bare && !island.rule->generic &&
+           !island.act.empty();
   }
 
   bool is_form_elsewhere(const Fill& fill) const {

@@ -184,6 +184,7 @@ constexpr std::size_t least_small_words = 3;
 // What an utterance is made of, beside fillers.
 struct Makeup {
   bool content = false; // words that may tell a topic
+  bool known = false;   // one of them is a word of grammars or examples
   bool values = false;
   std::size_t small = 0; // function words
 };
@@ -193,10 +194,12 @@ Makeup makeup_of(const Utterance& utterance,
   Makeup made;
   for (std::size_t at = 0; at < utterance.size(); ++at) {
     const bool is_value = words[at].kind != 0;
-    if (utterance.function[at])
+    if (utterance.function[at]) {
       made.small += is_value ? 0U : 1U;
-    else if (!utterance.filler[at])
+    } else if (!utterance.filler[at]) {
       (is_value ? made.values : made.content) = true;
+      made.known |= utterance.words[at] != unknown_word;
+    }
   }
   return made;
 }
@@ -330,7 +333,10 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
                     .run(learned.slots(hypothesis.topic, features));
     act.end = static_cast<std::uint32_t>(utterance.size());
     add_constants(act, constants);
-    act.score = probability + bonus_of(act, context);
+    // "Do you sell food?" does not go on with the opening hours.
+    const bool may_go_on =
+        makeup.known || !act.fills.empty() || learned.is_well_taught();
+    act.score = probability + (may_go_on ? bonus_of(act, context) : 0);
     const bool is_new = !context.expects(hypothesis.topic);
     const bool begins = learned.is_beside_grammars() && !topic.enquiry &&
                         act.fills.size() == constants.size() && is_new;

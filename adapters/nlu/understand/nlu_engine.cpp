@@ -12,6 +12,7 @@
 #include "adapters/nlu/acts/choice.hpp"
 #include "adapters/nlu/acts/correction.hpp"
 #include "adapters/nlu/acts/courtesies.hpp"
+#include "adapters/nlu/acts/named_slot.hpp"
 #include "adapters/nlu/acts/parts_of_values.hpp"
 #include "adapters/nlu/acts/taken_back.hpp"
 #include "adapters/nlu/grammar/merged_states.hpp"
@@ -298,7 +299,9 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
     chains = best_chains(islands, utterance.size(), context);
     acts = self.acts_of(chains[0], utterance, context);
   }
-  const auto choice = choice_of(utterance, context);
+  auto choice = choice_of(utterance, context);
+  if (!choice)
+    choice = named_slot_of(utterance, context);
   if (choice)
     acts = {*choice};
   // Only if grammars left something open.

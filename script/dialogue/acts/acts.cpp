@@ -239,6 +239,12 @@ Value to_value(const std::vector<SlotValue>& said) {
 
 } // namespace
 
+bool names_slot(const Act& act) {
+  return act.kind == ActKind::correct && act.slots.size() == 1 &&
+         act.slots[0].unmatched && act.slots[0].value.is_unknown() &&
+         act.slots[0].candidates.empty();
+}
+
 bool is_generic(const Act& act) {
   switch (act.kind) {
   case ActKind::inform:

@@ -68,6 +68,8 @@ inline bool is_answer(const Act& act) {
   return act.slots.empty() &&
          (act.kind == ActKind::confirm || act.kind == ActKind::deny);
 }
+// Names a slot that is to be another: "the day", to "What should I change?".
+bool names_slot(const Act& act);
 // About the conversation itself: help, repeat, cancel, greet …
 bool is_generic(const Act& act);
 

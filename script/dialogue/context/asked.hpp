@@ -74,6 +74,10 @@ struct Asked {
             words, pending, heard, repeats, interrupted, missed);
   }
 
+  // Whether a slot may be named that is to be another: "the day".
+  bool asks_for_changes() const {
+    return heard && (purpose == For::change || summary);
+  }
   // Whether "yes" and "no" are answers to it.
   bool wants_yes_or_no() const {
     return purpose == For::yes_or_no || purpose == For::confirmation ||

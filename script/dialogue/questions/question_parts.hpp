@@ -25,7 +25,7 @@ struct QuestionParts {
       : offers(context, reactions), words(context, frames, texts, output),
         asking(context, output, frames, texts, words, question),
         confirmations(context, frames, running, question, asking),
-        whereabouts(context, frames, question, confirmations),
+        whereabouts(context, frames, words, question, confirmations),
         clarification(context, question, words, asking, whereabouts),
         repairs(context, frames, texts, question, whereabouts),
         reprompts(context, running, offers, frames, texts, words, question,

@@ -97,6 +97,18 @@ TopicId Whereabouts::waiting_topic(const ClassifierContext& context) const {
              : script::no_id;
 }
 
+// What the user may call the slots of which the robot has asked whether they
+// are right.
+Map Whereabouts::names_of_slots(TopicId topic) const {
+  Map names;
+  const auto& slots = context_.topic(topic).slots;
+  for (SlotId slot = 0; slot < slots.size(); ++slot)
+    if (frames_[topic].slots[slot].applies)
+      if (const auto label = words_.label_of(topic, slot); label.if_string())
+        names.set(slots[slot].name, label);
+  return names;
+}
+
 Value Whereabouts::understanding_context() const {
   const auto context = classifier_context();
   auto name = [&](TopicId topic) {
@@ -132,6 +144,9 @@ Value Whereabouts::understanding_context() const {
     result.set("grammar", grammar);
   if (const auto* question = yes_or_no_asked())
     result.set("confirms", *question);
+  if (question_ && question_->asks_for_changes())
+    result.set("changes", Map{{"topic", name(question_->topic)},
+                              {"slots", names_of_slots(question_->topic)}});
   result.set("now", context_.now);
   return result;
 }

@@ -10,6 +10,7 @@
 #include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
+#include "script/dialogue/questions/topic_words.hpp"
 #include "script/dialogue/topics/classifier.hpp"
 
 namespace parlour::dialogue {
@@ -19,8 +20,9 @@ namespace parlour::dialogue {
 class Whereabouts {
 public:
   Whereabouts(DialogueContext& context, TopicFrames& frames,
-              OpenQuestion& question, Confirmations& confirmations)
-      : context_(context), frames_(frames), question_(question),
+              const TopicWords& words, OpenQuestion& question,
+              Confirmations& confirmations)
+      : context_(context), frames_(frames), words_(words), question_(question),
         confirmations_(confirmations) {}
 
   // For classify() and its like. The context refers to the order of topics, and
@@ -56,7 +58,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, frames_, question_, confirmations_);
+    archive.without(context_, frames_, words_, question_, confirmations_);
     archive(said_);
   }
 
@@ -66,9 +68,11 @@ private:
   const std::string& narrowing_grammar(const ClassifierContext& context) const;
   const std::string* yes_or_no_asked() const;
   TopicId waiting_topic(const ClassifierContext& context) const;
+  Map names_of_slots(TopicId topic) const;
 
   DialogueContext& context_;
   TopicFrames& frames_;
+  const TopicWords& words_;
   OpenQuestion& question_;
   Confirmations& confirmations_;
   struct Said {

@@ -56,6 +56,8 @@ void ActEntry::offer_act(steps::TopicAct&& step) {
 // no topic, they may be any one's: the value counts as private if one topic has
 // a private slot of that name. Rather too much is hidden than too little.
 void ActEntry::conceal_values(const Act& act) {
+  if (names_slot(act)) // that is no value
+    return;
   const auto& topics = context_.program->topics;
   for (TopicId id = 0; id < topics.size(); ++id)
     for (const auto& said : act.slots) {

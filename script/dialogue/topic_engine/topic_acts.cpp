@@ -38,6 +38,8 @@ void TopicActs::take(steps::TopicAct&& step) {
       reprompts_.misunderstood(step.turn, step.act->text);
     return;
   }
+  if (names_slot(*step.act) && take_name_of_slot(step))
+    return;
   clarification_.complete_by_answer(step);
   prefer_reading(step);
   if (!take_about_conversation(step))
@@ -69,6 +71,20 @@ bool TopicActs::take_about_conversation(const steps::TopicAct& step) {
   if (late == LateCorrections::Outcome::says_again)
     acknowledge(step.turn);
   return late != LateCorrections::Outcome::no_concern;
+}
+
+// Its value stays until there is another one. The question whether all is right
+// is asked again when the topic settles.
+bool TopicActs::take_name_of_slot(const steps::TopicAct& step) {
+  const auto topic = context_.program->topic(step.act->topic);
+  if (!question_ || !question_->asks_for_changes() ||
+      question_->topic != topic)
+    return false;
+  const auto slot = context_.topic(topic).slot(step.act->slots[0].slot);
+  repairs_.understood();
+  question_.take();
+  reprompts_.ask_slot(topic, slot, OutputAct::question, step.turn);
+  return true;
 }
 
 // The rest of the utterance gets an answer of its own.

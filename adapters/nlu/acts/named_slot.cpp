@@ -1,0 +1,88 @@
+#include "adapters/nlu/acts/named_slot.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "adapters/nlu/text/word_set.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// Words around the name that tell no value.
+bool is_carrier(std::string_view word) {
+  static const WordSet words{
+      "the",    "my",       "a",    "an",  "that",  "it",        "is",
+      "was",    "no",       "nope", "i",   "we",    "want",      "would",
+      "like",   "need",     "to",   "can", "could", "you",       "please",
+      "change", "fix",      "have", "had", "just",  "only",      "sorry",
+      "think",  "about",    "let",  "us",  "me",    "but",       "must",
+      "should", "be",       "new",  "not", "wrong", "incorrect", "another",
+      "other",  "different"};
+  return words.contains(word);
+}
+
+// "The day is not right": of no other word it is said that it is.
+bool is_right(std::string_view word) {
+  return word == "right" || word == "correct";
+}
+
+// Where these words stand one behind the other; the end of the utterance: they
+// do not.
+std::size_t find(const Utterance& utterance,
+                 const std::vector<std::string>& words) {
+  const auto& list = utterance.tokens.list;
+  const auto found = std::ranges::search(
+      list, words, {},
+      [](const Token& token) -> std::string_view { return token.word; });
+  return words.empty() || found.empty()
+             ? list.size()
+             : static_cast<std::size_t>(found.begin() - list.begin());
+}
+
+} // namespace
+
+std::optional<BuiltAct> named_slot_of(const Utterance& utterance,
+                                      const Context& context) {
+  const Context::NamedSlot* named = nullptr;
+  std::size_t begin = 0;
+  for (const auto& slot : context.changes) {
+    const auto at = find(utterance, slot.words);
+    if (at == utterance.size())
+      continue;
+    // "Phone number" is more than "number".
+    if (named && named->words.size() == slot.words.size())
+      return {};
+    if (!named || slot.words.size() > named->words.size()) {
+      named = &slot;
+      begin = at;
+    }
+  }
+  if (!named)
+    return {};
+  const auto end = begin + named->words.size();
+  const auto& list = utterance.tokens.list;
+  for (std::size_t at = 0; at < utterance.size(); ++at) {
+    const bool is_not_right =
+        is_right(list[at].word) && at > 0 && list[at - 1].word == "not";
+    if ((at < begin || at >= end) && !utterance.filler[at] &&
+        !is_carrier(list[at].word) && !is_not_right)
+      return {};
+  }
+  BuiltAct act;
+  act.act = "correct";
+  act.topic = context.changes_topic;
+  act.end = static_cast<std::uint32_t>(utterance.size());
+  act.score = 1;
+  Fill name;
+  name.slot = named->slot;
+  name.topic = act.topic;
+  name.begin = static_cast<std::uint32_t>(begin);
+  name.end = static_cast<std::uint32_t>(end);
+  name.is_name = true;
+  act.fills.push_back(std::move(name));
+  return act;
+}
+
+} // namespace parlour::adapters::nlu

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "adapters/nlu/acts/choice.hpp"
 #include "adapters/nlu/text/word_set.hpp"
 
 namespace parlour::adapters::nlu {
@@ -83,6 +84,12 @@ std::optional<BuiltAct> named_slot_of(const Utterance& utterance,
   name.is_name = true;
   act.fills.push_back(std::move(name));
   return act;
+}
+
+std::optional<BuiltAct> choice_or_named_slot(const Utterance& utterance,
+                                             const Context& context) {
+  auto choice = choice_of(utterance, context);
+  return choice ? choice : named_slot_of(utterance, context);
 }
 
 } // namespace parlour::adapters::nlu

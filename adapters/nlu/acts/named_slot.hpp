@@ -14,4 +14,8 @@ namespace parlour::adapters::nlu {
 std::optional<BuiltAct> named_slot_of(const Utterance& utterance,
                                       const Context& context);
 
+// The answer in words that name no value: choice_of(), else named_slot_of().
+std::optional<BuiltAct> choice_or_named_slot(const Utterance& utterance,
+                                             const Context& context);
+
 } // namespace parlour::adapters::nlu

@@ -43,6 +43,38 @@ struct Item {
   bool is_out = false;     // of its act
 };
 
+// The last word, about no topic: "no, don't", "never mind". "I'd rather have
+// nothing" only says why.
+bool withdraws(const BuiltAct& last, const Utterance& utterance,
+               const Context& context) {
+  static const WordSet bare{"no", "nope", "nah", "not", "do", "dont", "never"};
+  if (last.topic != no_topic ||
+      utterance.has_content(last.end,
+                            static_cast<std::uint32_t>(utterance.size())))
+    return false;
+  auto first = last.begin;
+  while (first + 1 < last.end && utterance.tokens.list[first].word == "i")
+    ++first;
+  const bool is_asked =
+      context.asked_topic != no_topic || !context.confirms.empty();
+  return last.act == "cancel" || last.act == "abandon" ||
+         (last.act == "deny" && !is_asked &&
+          bare.contains(utterance.tokens.list[first].word));
+}
+
+// Of another sentence only an order with values is meant: "My husband can do
+// that. Drop it." is one wish.
+bool is_withdrawn(const BuiltAct& act, const BuiltAct& last,
+                  const Utterance& utterance, const Schema& schema) {
+  if (act.topic == no_topic || schema.at(act.topic).enquiry)
+    return false;
+  const auto sentence =
+      stretch_of(utterance.tokens, {last.begin, last.end}, Break::sentence);
+  return act.end > sentence.begin || last.act == "deny" ||
+         std::ranges::any_of(act.fills,
+                             [](const Fill& fill) { return !fill.literal; });
+}
+
 class TakenBack {
 public:
   TakenBack(std::vector<BuiltAct>& acts, const Utterance& utterance,
@@ -212,6 +244,17 @@ private:
 };
 
 } // namespace
+
+bool leave_out_withdrawn(std::vector<BuiltAct>& acts,
+                         const Utterance& utterance, const Schema& schema,
+                         const Context& context) {
+  if (acts.size() < 2 || !withdraws(acts.back(), utterance, context))
+    return false;
+  const auto last = acts.back();
+  return std::erase_if(acts, [&](const BuiltAct& act) {
+           return is_withdrawn(act, last, utterance, schema);
+         }) > 0;
+}
 
 void leave_out_taken_back(std::vector<BuiltAct>& acts,
                           const Utterance& utterance, const Spans& spans,

@@ -79,7 +79,7 @@ public:
   // Whether "not" or "never" at this token negates. "you dare" is an exception:
   // "don't you dare open it" is an order.
   bool at(std::size_t token) const {
-    if (takes_back(token) || takes_back(token + 1))
+    if (takes_back(token) || takes_back(token + 1) || forbids(token))
       return true;
     if (!is_not(word(token)))
       return false;
@@ -107,7 +107,7 @@ public:
            before == "should";
   }
   bool turns_round(std::size_t token) const {
-    if (takes_back(token))
+    if (takes_back(token) || forbids(token))
       return true;
     const auto what = object(token);
     if (warns(token))
@@ -137,6 +137,20 @@ public:
   }
 
 private:
+  // "no need to open it", "I forbid you to open it", "stop opening it", "nobody
+  // may open it".
+  bool forbids(std::size_t token) const {
+    static const Words forbidden{"forbid", "avoid", "refuse"};
+    static const Words leave{"may", "must", "should", "can", "shall"};
+    const auto next = word(token + 1);
+    const bool no_need = word(token - 1) == "no" && word(token) == "need";
+    const bool stops = word(token) == "stop" || word(token) == "quit";
+    const bool no_one = word(token) == "nobody" ||
+                        (word(token) == "one" && word(token - 1) == "no");
+    return (no_need && next == "to") || forbidden.contains(word(token)) ||
+           (stops && next.size() > 4 && next.ends_with("ing")) ||
+           (no_one && leave.contains(next));
+  }
   // "I did not ask you to get it", "nobody told you to". "Did I not ask you to
   // get it?" wants it still.
   bool takes_back(std::size_t token) const {

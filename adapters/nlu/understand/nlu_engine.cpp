@@ -9,7 +9,6 @@
 
 #include "adapters/nlu/acts/act_value.hpp"
 #include "adapters/nlu/acts/acts.hpp"
-#include "adapters/nlu/acts/choice.hpp"
 #include "adapters/nlu/acts/correction.hpp"
 #include "adapters/nlu/acts/courtesies.hpp"
 #include "adapters/nlu/acts/named_slot.hpp"
@@ -299,9 +298,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
     chains = best_chains(islands, utterance.size(), context);
     acts = self.acts_of(chains[0], utterance, context);
   }
-  auto choice = choice_of(utterance, context);
-  if (!choice)
-    choice = named_slot_of(utterance, context);
+  const auto choice = choice_or_named_slot(utterance, context);
   if (choice)
     acts = {*choice};
   // Only if grammars left something open.
@@ -318,6 +315,8 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
       !(guessed && learned.is_well_taught()) &&
       likeness.leave_out_other_talk(acts, meant, spans, learned, context);
   apply_corrections(acts, utterance, spans, schema, context);
+  const bool is_withdrawn =
+      leave_out_withdrawn(acts, utterance, schema, context);
   Understanding made;
   made.is_learnt = guessed;
   made.work = matcher.work();
@@ -327,7 +326,8 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
         self.explain(utterance, spans, islands, chains, acts, is_other);
   for (const auto& act : acts)
     self.add(act, utterance, spans, made);
-  read_sentences(meant, acts, context_value, made);
+  if (!is_withdrawn)
+    read_sentences(meant, acts, context_value, made);
   // Alternatives come from the source that was chosen.
   if (guessed)
     add_alternatives(made, {{hypotheses.begin() + 1, hypotheses.end()}, false},

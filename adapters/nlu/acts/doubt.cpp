@@ -20,8 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 5> questions{"help", "repeat", "explain",
                                                     "options", "rephrase"};
 // Acts beside which a yes is none, but a no is.
-constexpr std::array<std::string_view, 4> hesitations{"wait", "refuse",
-                                                      "cancel", "abandon"};
+constexpr std::array<std::string_view, 2> hesitations{"wait", "refuse"};
 
 // A weight below this is rounding, not a word.
 constexpr double min_weight = 0.05;
@@ -88,15 +87,21 @@ public:
     leave_out_yes_on_other_terms();
     if (contradicts || asks)
       std::erase_if(acts_, [](auto& act) { return is_answer(act); });
-    const bool hesitates = std::ranges::any_of(acts_, [](auto& act) {
-      return act.topic == no_topic && has(hesitations, act.act);
-    });
-    if (hesitates)
+    if (std::ranges::any_of(acts_, [&](auto& act) { return hinders(act); }))
       std::erase_if(acts_, [](auto& act) { return is_plain(act, "confirm"); });
     std::erase_if(acts_, [&](auto& act) { return is_unsure(act); });
   }
 
 private:
+  // Whether a yes beside it is none. A cancel is for the dialogue where it
+  // asks.
+  bool hinders(const BuiltAct& act) const {
+    return act.topic == no_topic &&
+           (has(hesitations, act.act) ||
+            (context_.confirms.empty() &&
+             (act.act == "cancel" || act.act == "abandon")));
+  }
+
   // Notes which tokens an island has understood. An answer that skips words has
   // not understood them. Words that lead in ("and") are understood if content
   // follows.
@@ -174,9 +179,8 @@ private:
 
   // A time begins nothing of its own then.
   void leave_out_yes_on_other_terms() {
-    const auto yes = std::ranges::find_if(
-        acts_, [](auto& act) { return is_plain(act, "confirm"); });
-    if (yes == acts_.end())
+    const auto yes = std::ranges::find(acts_, "confirm", &BuiltAct::act);
+    if (yes == acts_.end() || yes->topic != no_topic || is_suggestion(*yes))
       return;
     if (const auto terms = other_terms(utterance_, acts_, *yes, context_))
       std::erase_if(acts_, [&](auto& act) {
@@ -186,8 +190,7 @@ private:
       });
   }
 
-  // "Okay, who is it?" only begins what follows in the same sentence, which is
-  // about something else than what is asked.
+  // "Okay, who is it?" only begins what is about something else.
   bool opens_other(const BuiltAct& act) const {
     const bool waits_for_value =
         context_.asked_topic != no_topic && context_.confirms.empty();
@@ -278,8 +281,8 @@ private:
     for (std::size_t token = 0; token < utterance_.size(); ++token) {
       if (understood_[token])
         continue;
-      const bool turns =
-          is_turning_word(word(token)) || is_asking_word(word(token));
+      const bool turns = is_turning_word(word(token)) ||
+                         (token < end && is_asking_word(word(token)));
       const bool means_nothing = utterance_.weight[token] < min_weight ||
                                  question_.has(token) || token >= end;
       if (turns || (!means_nothing && !may_follow(token, yes)))

@@ -34,12 +34,13 @@ bool is_right(std::string_view word) {
 std::size_t find(const Utterance& utterance,
                  const std::vector<std::string>& words) {
   const auto& list = utterance.tokens.list;
-  const auto found = std::ranges::search(
-      list, words, {},
-      [](const Token& token) -> std::string_view { return token.word; });
-  return words.empty() || found.empty()
-             ? list.size()
-             : static_cast<std::size_t>(found.begin() - list.begin());
+  const auto found =
+      std::search(list.begin(), list.end(), words.begin(), words.end(),
+                  [](const Token& token, const std::string& word) {
+                    return token.word == word;
+                  });
+  return words.empty() ? list.size()
+                       : static_cast<std::size_t>(found - list.begin());
 }
 
 } // namespace

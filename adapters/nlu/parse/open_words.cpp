@@ -227,15 +227,21 @@ private:
   // Whether a sentence of a rule about something else goes on with the answer,
   // which does not look like a name.
   bool ends_other_sentence(const Island& answer, const Fill& fill) const {
-    const auto& first = token_at(utterance_, answer.begin);
-    return first.before == Break::none &&
-           !is_capital(
-               utterance_.text[token_at(utterance_, fill.begin).begin]) &&
+    const auto& first = token_at(utterance_, fill.begin);
+    return !is_capital(utterance_.text[first.begin]) &&
            std::ranges::any_of(islands_, [&](const Island& other) {
-             return other.end == answer.begin && is_sentence(other) &&
+             return is_sentence(other) && goes_on(other.end, answer.begin) &&
                     std::ranges::find_first_of(other.topics, answer.topics) ==
                         other.topics.end();
            });
+  }
+  // Whether only small words lead from the end of one to the other.
+  bool goes_on(std::uint32_t end, std::uint32_t begin) const {
+    for (auto token = end; token < begin; ++token)
+      if (!utterance_.function[token] ||
+          token_at(utterance_, token).before != Break::none)
+        return false;
+    return end <= begin && token_at(utterance_, begin).before == Break::none;
   }
   static bool is_sentence(const Island& island) {
     return island.is_content() && !island.rule->bare && !island.rule->generic &&

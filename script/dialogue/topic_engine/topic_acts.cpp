@@ -38,8 +38,10 @@ void TopicActs::take(steps::TopicAct&& step) {
       reprompts_.misunderstood(step.turn, step.act->text);
     return;
   }
-  if (names_slot(*step.act) && take_name_of_slot(step))
+  if (names_slot(*step.act)) {
+    take_name_of_slot(step);
     return;
+  }
   clarification_.complete_by_answer(step);
   prefer_reading(step);
   if (!take_about_conversation(step))
@@ -73,18 +75,20 @@ bool TopicActs::take_about_conversation(const steps::TopicAct& step) {
   return late != LateCorrections::Outcome::no_concern;
 }
 
-// Its value stays until there is another one. The question whether all is right
-// is asked again when the topic settles.
-bool TopicActs::take_name_of_slot(const steps::TopicAct& step) {
-  const auto topic = context_.program->topic(step.act->topic);
+// Only where it was asked what is wrong. The value stays until there is another
+// one. The question whether all is right is asked again when the topic settles.
+void TopicActs::take_name_of_slot(const steps::TopicAct& step) {
+  const auto& act = *step.act;
+  const auto topic = context_.program->topic(act.topic);
   if (!question_ || !question_->asks_for_changes() ||
-      question_->topic != topic)
-    return false;
-  const auto slot = context_.topic(topic).slot(step.act->slots[0].slot);
+      question_->topic != topic) {
+    reprompts_.misunderstood(step.turn, act.text);
+    return;
+  }
   repairs_.understood();
   question_.take();
-  reprompts_.ask_slot(topic, slot, OutputAct::question, step.turn);
-  return true;
+  reprompts_.ask_slot(topic, context_.topic(topic).slot(act.slots[0].slot),
+                      OutputAct::question, step.turn);
 }
 
 // The rest of the utterance gets an answer of its own.

@@ -48,8 +48,8 @@ private:
   // Whether the act is about the conversation, or about what is done; then it
   // is dealt with.
   bool take_about_conversation(const steps::TopicAct& step);
-  // Whether it names a slot that is to be another, which is asked for then.
-  bool take_name_of_slot(const steps::TopicAct& step);
+  // It names a slot that is to be another, which is asked for.
+  void take_name_of_slot(const steps::TopicAct& step);
   void acknowledge(TurnId turn);
   // The act is about some topic, or about none.
   void find_topic(steps::TopicAct&& step);

@@ -377,6 +377,11 @@ TEST(Doubt, TakesAYesAsAValueOfTheSlotThatWasAskedForOnly) {
               testing::HasSubstr("inform Room Meals=yes"));
 }
 
+TEST(Doubt, TakesNoYesThatOnlyOpensSomethingElse) {
+  EXPECT_EQ(answered("okay, where is the bank?").find("confirm"), -1UL);
+  EXPECT_EQ(answered("yes, where is the bank?").find("confirm"), 0U);
+}
+
 TEST(Doubt, TakesAYesThatIsASentenceOfItsOwn) {
   const auto engine = sample();
   const auto heard = [&](const char* text) {

@@ -17,10 +17,9 @@ TEST(Refusals, OfWhatNobodyOffersRefuseNothingElse) {
   };
   EXPECT_EQ(heard("I need a taxi, and never zork windows"), "inform Taxi");
   EXPECT_EQ(heard("never zork windows"), "deny");
-  // What takes the order back does.
-  EXPECT_EQ(heard("I need a taxi. Don't do that"), "inform Taxi + deny");
-  EXPECT_EQ(heard("I need a taxi, no, never zork windows"),
-            "inform Taxi + deny");
+  // What takes the order back does, and leaves nothing of it.
+  EXPECT_EQ(heard("I need a taxi. Don't do that"), "deny");
+  EXPECT_EQ(heard("I need a taxi, no, never zork windows"), "deny");
 }
 
 TEST(Refusals, AreNoWarnings) {

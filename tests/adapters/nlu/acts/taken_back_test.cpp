@@ -82,5 +82,36 @@ TEST(TakenBack, IsNothingBehindANoThatStandsAlone) {
   EXPECT_EQ(ordered("a burger, oh, and a beer"), "inform burger beer");
 }
 
+// Summaries of what is left of the breath.
+std::string left(const char* text, const std::string& asked = "",
+                 const char* question = nullptr) {
+  static const auto engine = sample();
+  auto context = *sample_context(asked).if_map();
+  if (question)
+    context.set("confirms", question);
+  return summary(engine.understand(text, Value(context)).acts);
+}
+
+TEST(TakenBack, MayBeAllThatIsWanted) {
+  for (const auto* text : {"I need a taxi, no, don't", "I need a taxi? No."})
+    EXPECT_EQ(left(text), "deny") << text;
+  for (const auto* text :
+       {"I need a taxi, forget it", "I need a taxi at 10:00. Never mind."})
+    EXPECT_EQ(left(text), "cancel") << text;
+}
+
+TEST(TakenBack, IsNoEnquiryNorWhatIsSaidBehindIt) {
+  EXPECT_EQ(left("where is the bank, forget it").find("request Facility"), 0U);
+  EXPECT_EQ(left("forget it, I need a taxi"), "cancel + inform Taxi");
+}
+
+// A no may be the answer then.
+TEST(TakenBack, NeedsMoreThanANoWhileSomethingIsAsked) {
+  EXPECT_EQ(left("I need a taxi, no", "Appointment.Visitor"),
+            "inform Taxi + deny");
+  EXPECT_EQ(left("I need a taxi, no", "", "Is it you?"), "inform Taxi + deny");
+  EXPECT_EQ(left("I need a taxi, forget it", "Taxi.Time"), "cancel");
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

@@ -38,6 +38,15 @@ TEST(ClauseFilters, LeaveOutAYesThatIsHalfAClause) {
             "confirm");
 }
 
+TEST(ClauseFilters, TakeThatsItForNoMoreWhereMoreIsAskedFor) {
+  EXPECT_EQ(understood("that's it", "Anything else?"), "deny");
+  EXPECT_EQ(understood("no thanks, that's it", "Anything else?"), "deny");
+  EXPECT_EQ(understood("that's everything, thank you", "Anything else?"),
+            "deny");
+  EXPECT_EQ(understood("that's it", "Is it seven?"), "confirm");
+  EXPECT_EQ(understood("that's it"), "confirm");
+}
+
 TEST(ClauseFilters, LeaveOutAYesWithinAQuestion) {
   EXPECT_EQ(understood("which floor is that correct office on"), "");
   EXPECT_EQ(understood("that is correct"), "confirm");

@@ -57,6 +57,29 @@ TEST_F(ContextTest, KeepsTheQuestionThatWaits) {
   EXPECT_EQ(asked.asked_slot, "Time");
 }
 
+TEST_F(ContextTest, KeepsTheWordsOfWhatIsAsked) {
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(
+      read({{"confirms", "Shall I block it? I cannot take it back."}}).confirms,
+      (Words{"shall", "i", "block", "it"}));
+  EXPECT_EQ(read({{"confirms", "A table. Right? Or not?"}}).confirms,
+            (Words{"right", "or", "not"}));
+  EXPECT_EQ(read({{"confirms", "Shall I block it"}}).confirms,
+            (Words{"shall", "i", "block", "it"}));
+}
+
+TEST_F(ContextTest, NamesSlotsThatMayBeWrong) {
+  const auto context =
+      read({{"changes",
+             Map{{"topic", "Taxi"}, {"slots", Map{{"Time", "the hour"}}}}}});
+  EXPECT_EQ(context.changes_topic, 2U);
+  ASSERT_EQ(context.changes.size(), 1U);
+  EXPECT_EQ(context.changes[0].slot, "Time");
+  EXPECT_EQ(context.changes[0].words,
+            (std::vector<std::string>{"the", "hour"}));
+  EXPECT_TRUE(read({{"changes", Map{{"slots", 1}}}}).changes.empty());
+}
+
 TEST_F(ContextTest, LeavesOutWhatIsNotThere) {
   const Map strange[] = {
       {},

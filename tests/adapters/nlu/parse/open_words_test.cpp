@@ -69,7 +69,9 @@ std::vector<std::string> visitors(const std::string& said) {
                       "public <no> = no {act=deny};"
                       "public <not> = not {act=deny} {denies=next};"
                       "public <answer> = [i am | that is] @asked;"
-                      "public <when> = @time {Appointment.Time};",
+                      "public <when> = @time {Appointment.Time};"
+                      "public <gym> = where is the gym {topic=Facility} "
+                      "{act=request};",
                       said, sample_context("Appointment.Visitor"));
   auto islands = stages.islands;
   drop_implausible(islands, stages.utterance, stages.spans);
@@ -89,6 +91,13 @@ TEST(OpenWords, WhoWaitsAnswersInAClauseOfItsOwnOnly) {
   EXPECT_THAT(visitors("one moment, the card"), IsEmpty());
   EXPECT_THAT(visitors("Hold on, I am Bogdan"), Contains("Bogdan"));
   EXPECT_THAT(visitors("hold on, that is bogdan"), Contains("bogdan"));
+}
+
+TEST(OpenWords, TheEndOfAnotherSentenceIsNoAnswer) {
+  EXPECT_THAT(visitors("where is the gym for a friend"),
+              testing::Not(testing::Contains("friend")));
+  EXPECT_THAT(visitors("where is the gym, zork"), testing::Contains("zork"));
+  EXPECT_THAT(visitors("where is the gym Zork"), testing::Contains("Zork"));
 }
 
 TEST(OpenWords, LettersAreAWord) {

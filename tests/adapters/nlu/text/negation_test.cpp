@@ -93,5 +93,30 @@ TEST(Negation, WhatNobodyAskedForIsNotOrdered) {
     EXPECT_FALSE(is_order(text)) << text;
 }
 
+TEST(Negation, IsSaidInOtherWords) {
+  for (const auto* text : {"no need to open the door", "stop opening the door",
+                           "avoid opening the door", "I forbid you to open it",
+                           "nobody may open the door", "no one must open it"})
+    EXPECT_TRUE(is_order(text)) << text;
+  for (const auto* text :
+       {"I need to open the door", "stop the spring", "where is the bus stop",
+        "stop ringing now and then", "nobody is at the door"})
+    EXPECT_EQ(is_order(text), std::string(text).starts_with("stop ringing"))
+        << text;
+}
+
+TEST(Negation, SomethingIsCalledOff) {
+  for (const auto* text :
+       {"cancel my table", "I want to cancel it", "can we call it off",
+        "call off the meeting", "call that meeting off please",
+        "If not, fine. Cancel it."})
+    EXPECT_TRUE(calls_off(tokenize(text))) << text;
+  for (const auto* text :
+       {"what if I cancel it", "when can I cancel", "was it cancelled",
+        "call Tom", "I call when the light is off", "it is off, call me",
+        "call me. Lights off."})
+    EXPECT_FALSE(calls_off(tokenize(text))) << text;
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

@@ -93,6 +93,41 @@ TEST(LearntTopics, AreUnderstoodInOtherWords) {
   EXPECT_TRUE(engine.understand("who won the match").acts.empty());
 }
 
+// Who cancels a taxi orders none.
+TEST(LearntTopics, AreCalledOff) {
+  const auto engine = learnt();
+  EXPECT_EQ(summary(engine.understand("please cancel the cab to Sentosa").acts),
+            "cancel Taxi");
+  EXPECT_EQ(summary(engine.understand("call the taxi off please").acts),
+            "cancel Taxi");
+  EXPECT_EQ(summary(engine.understand("cancel how is the weather").acts),
+            "request Weather"); // that is answered, and does no harm
+}
+
+TEST(LearntTopics, MayBeAboutCallingOff) {
+  UnderstandingModel model;
+  model.topics = {{"Refund",
+                   false,
+                   {},
+                   {"I want to cancel my order", "cancel the order please"}},
+                  {"Weather", true, {}, {"will it rain"}}};
+  const auto built = NluEngine::build(model, {}, {0.4, {}});
+  EXPECT_EQ(summary(built->understand("I must cancel the order").acts),
+            "inform Refund");
+}
+
+// Nothing of "do you like zork" is about the weather.
+TEST(LearntTopics, DoNotGoOnWithWordsThatNobodyKnows) {
+  const auto engine = learnt();
+  const Map resting{{"resting", "Weather"}};
+  const auto score = [&](const char* text, const Map& context) {
+    return engine.understand(text, Value(context)).score;
+  };
+  EXPECT_EQ(score("how is the zork", {}), score("how is the zork", resting));
+  EXPECT_LT(score("how is the weather there", {}),
+            score("how is the weather there", resting));
+}
+
 TEST(LearntTopics, AreNotTriedBesideAQuestionsGrammar) {
   const auto engine = learnt();
   for (const auto* text : {"is the weather any good", "order the cab for noon",

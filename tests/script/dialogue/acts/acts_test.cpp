@@ -157,4 +157,28 @@ TEST(Acts, AreTheSameAfterAWayThroughAValue) {
 
 } // namespace
 
+TEST(Acts, MayNameASlot) {
+  Act act;
+  act.kind = ActKind::correct;
+  act.slots.resize(1);
+  act.slots[0].slot = "Day";
+  act.slots[0].text = "the day";
+  EXPECT_FALSE(names_slot(act));
+  act.slots[0].unmatched = true;
+  EXPECT_TRUE(names_slot(act));
+  act.slots[0].value = "Monday";
+  EXPECT_FALSE(names_slot(act));
+}
+
+TEST(Acts, ThatCancelAreAboutTheConversation) {
+  Act act;
+  act.slots.resize(1);
+  for (const auto kind : {ActKind::cancel, ActKind::abandon}) {
+    act.kind = kind;
+    EXPECT_TRUE(is_generic(act)) << name_of(kind);
+  }
+  act.kind = ActKind::help;
+  EXPECT_FALSE(is_generic(act));
+}
+
 } // namespace parlour::dialogue

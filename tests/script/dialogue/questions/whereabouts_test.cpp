@@ -111,5 +111,31 @@ TEST(UnderstandingGrammar, IsTheQuestionsOrTheStates) {
   EXPECT_TRUE(grammar().is_unknown());
 }
 
+// What the slots are called, while it is asked whether they are right.
+TEST(UnderstandingChanges, AreOfASummary) {
+  World world(R"xml(
+    <topic name="Room" confirm="summary">
+      <slot name="Nights" type="Functional" question="How many?" confirm="never"
+            label="nights"/>
+      <slot name="Note" confirm="never"/>
+      <slot name="Bed" confirm="never" if="this.Nights == '9'" label="bed"/>
+    </topic>
+    <handler name="Probe"><messages><component><Bell>
+      <Rings><post module="NLU" command="DoNLU" param="{'hello'}"/></Rings>
+    </Bell></component></messages></handler>)xml");
+  world.components["Grammar"] = {"NLU"};
+  const auto changes = [&] {
+    world.event("Bell", "Rings");
+    return world.messages.back().params.at(1)["changes"];
+  };
+  EXPECT_TRUE(changes().is_unknown());
+  world.say(inform("Room", {{"Nights", "2"}}));
+  const Value all =
+      Map{{"topic", "Room"}, {"slots", Map{{"Nights", "nights"}}}};
+  EXPECT_EQ(changes(), all);
+  world.say("deny"); // what is to be changed?
+  EXPECT_EQ(changes(), all);
+}
+
 } // namespace
 } // namespace parlour::dialogue

@@ -30,7 +30,7 @@ constexpr std::size_t most_small = 2;
 bool is_pronoun(std::string_view word) {
   static constexpr std::array<std::string_view, 6> words{"i",  "you",  "it",
                                                          "we", "that", "this"};
-  return std::ranges::find(words, word) != words.end();
+  return has(words, word);
 }
 
 // Small words that change nothing about a yes before them: "yes I will", "yes
@@ -41,8 +41,8 @@ bool is_harmless(std::string_view word, std::string_view before) {
       "would", "can", "could", "may", "shall", "have"};
   static constexpr std::array<std::string_view, 5> others{
       "very", "really", "already", "now", "then"};
-  return is_pronoun(word) || std::ranges::find(others, word) != others.end() ||
-         (is_pronoun(before) && std::ranges::find(verbs, word) != verbs.end());
+  return is_pronoun(word) || has(others, word) ||
+         (is_pronoun(before) && has(verbs, word));
 }
 
 // Whether the act is this generic act, about no topic.
@@ -347,7 +347,6 @@ private:
            act.end < utterance_.size() && has(behind, word(act.end));
   }
 
-  // "Why not?"
   bool asks_why_not(const BuiltAct& act) const {
     for (auto token = act.begin; token < act.end; ++token)
       if (word(token) == "why")

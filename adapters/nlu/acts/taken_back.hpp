@@ -9,12 +9,6 @@
 
 namespace parlour::adapters::nlu {
 
-// Leaves out the acts about tasks that a plain cancel ends, or, while nothing is
-// asked, a plain no that is the last word. Whether there were some.
-bool leave_out_withdrawn(std::vector<BuiltAct>& acts,
-                         const Utterance& utterance, const Schema& schema,
-                         const Context& context);
-
 // Leaves such values out of the acts. Where one was not said before in the same
 // utterance, it may have been in an earlier one: then a "deny" says that it is
 // not wanted, if the conversation is about its topic. Acts that have lost all
@@ -22,5 +16,11 @@ bool leave_out_withdrawn(std::vector<BuiltAct>& acts,
 void leave_out_taken_back(std::vector<BuiltAct>& acts,
                           const Utterance& utterance, const Spans& spans,
                           const Schema& schema, const Context& context);
+
+// Leaves out the acts about tasks that a plain cancel ends, or, while nothing
+// is asked, a plain no that is the last word. Whether there were some.
+bool leave_out_withdrawn(std::vector<BuiltAct>& acts,
+                         const Utterance& utterance, const Schema& schema,
+                         const Context& context);
 
 } // namespace parlour::adapters::nlu

@@ -221,13 +221,22 @@ BuiltAct refusal(const Utterance& utterance, double score) {
   return act;
 }
 
-BuiltAct calling_off(const Utterance& utterance,
-                     const TopicHypothesis& hypothesis) {
+// What is said of the topic in the place of what it is for. A negated order is
+// a refusal, unless such orders are what the topic is about, or a more likely
+// one. What a task is for may be called off, and begins nothing then.
+std::optional<BuiltAct> turned_round(const Utterance& utterance,
+                                     const TopicHypothesis& hypothesis,
+                                     double probability, bool is_task) {
+  const auto& label = *hypothesis.label;
+  if (!label.negates && is_negated_order(utterance.tokens, utterance.negates))
+    return refusal(utterance, probability);
+  if (!is_task || label.calls_off || !calls_off(utterance.tokens))
+    return {};
   BuiltAct act;
   act.act = "cancel";
   act.topic = hypothesis.topic;
   act.end = static_cast<std::uint32_t>(utterance.size());
-  act.score = hypothesis.probability;
+  act.score = probability;
   return act;
 }
 
@@ -295,7 +304,6 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
   auto topics = learned.topics(words);
   const ValueEvidence evidence(utterance, words, schema, topics);
   std::vector<std::vector<Feature>> features;
-  const bool is_called_off = calls_off(utterance.tokens);
   for (std::size_t at = 0; at < topics.size(); ++at) {
     const auto& hypothesis = topics[at];
     const auto& constants = hypothesis.label->constants;
@@ -313,18 +321,10 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
     if (features.empty())
       features = word_features(words);
     BuiltAct act;
-    // A negated order is a refusal, unless such orders are what the topic is
-    // about, or a more likely one.
-    if (!hypothesis.label->negates &&
-        is_negated_order(utterance.tokens, utterance.negates)) {
+    if (auto other =
+            turned_round(utterance, hypothesis, probability, !topic.enquiry)) {
       if (acts.empty())
-        return {refusal(utterance, probability)};
-      continue;
-    }
-    // What a task is for is not wanted any more, and begins nothing.
-    if (is_called_off && !topic.enquiry && !hypothesis.label->calls_off) {
-      if (acts.empty())
-        return {calling_off(utterance, hypothesis)};
+        return {std::move(*other)};
       continue;
     }
     act.act = topic.usual_act();

@@ -263,7 +263,8 @@ bool is_one_far_fetched(const std::vector<BuiltAct>& acts,
   });
 }
 
-void apply_corrections(std::vector<BuiltAct>& acts, const Utterance& utterance,
+// Whether all that was wanted is taken back.
+bool apply_corrections(std::vector<BuiltAct>& acts, const Utterance& utterance,
                        Spans& spans, const Schema& schema,
                        const Context& context) {
   join_parts_of_values(acts, utterance, spans);
@@ -271,6 +272,7 @@ void apply_corrections(std::vector<BuiltAct>& acts, const Utterance& utterance,
     correct_what_was_said(act, spans, context);
   join_corrections(acts, schema);
   leave_out_taken_back(acts, utterance, spans, schema, context);
+  return leave_out_withdrawn(acts, utterance, schema, context);
 }
 
 } // namespace
@@ -299,9 +301,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
     acts = self.acts_of(chains[0], utterance, context);
   }
   const auto choice = choice_or_named_slot(utterance, context);
-  if (choice)
-    acts = {*choice};
-  // Only if grammars left something open.
+  acts = choice ? std::vector{*choice} : std::move(acts);
   std::vector<BuiltAct> hypotheses;
   const auto meant = without_courtesies(utterance, chains[0], context);
   const BetterReading better(schema, context, meant, spans,
@@ -314,9 +314,8 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   const bool is_other =
       !(guessed && learned.is_well_taught()) &&
       likeness.leave_out_other_talk(acts, meant, spans, learned, context);
-  apply_corrections(acts, utterance, spans, schema, context);
   const bool is_withdrawn =
-      leave_out_withdrawn(acts, utterance, schema, context);
+      apply_corrections(acts, utterance, spans, schema, context);
   Understanding made;
   made.is_learnt = guessed;
   made.work = matcher.work();

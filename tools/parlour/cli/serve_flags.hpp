@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -66,6 +67,14 @@ inline void add_serve_flags(CLI::App& command, ServeOptions& options) {
   add_clock(command, options.clock, "What its clock shows when it begins");
 }
 
+// What is wrong with the text as so many a second; "nan" is no number of them.
+inline std::string check_rate(const std::string& text) {
+  double rate = 0;
+  return CLI::detail::lexical_cast(text, rate) && rate > 0 && rate <= 1e6
+             ? ""
+             : text + " is not more than 0 and at most 1000000";
+}
+
 inline void add_load_flags(CLI::App& command, LoadOptions& options) {
   command
       .add_option("APP", options.app,
@@ -80,7 +89,7 @@ inline void add_load_flags(CLI::App& command, LoadOptions& options) {
       .add_option("--rate", options.rate,
                   "Conversations that begin in a second; else each visitor "
                   "begins another when one is over")
-      ->check(CLI::PositiveNumber);
+      ->check(check_rate);
   command
       .add_option("--conversations", options.conversations,
                   "Of these names; else all")

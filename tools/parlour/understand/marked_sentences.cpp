@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "runtime/text/json_text.hpp"
+#include "tools/parlour/console/bounded_line.hpp"
 #include "tools/parlour/console/line_reader.hpp"
 
 namespace parlour::tools {
@@ -54,18 +55,21 @@ std::string intent_of(const MarkedSentence& sentence) {
 Expected<std::vector<MarkedSentence>>
 read_marked_sentences(std::istream& in, const std::string& file) {
   std::vector<MarkedSentence> sentences;
-  std::string text;
-  for (std::uint32_t line = 1; std::getline(in, text); ++line) {
-    if (is_blank(text))
+  for (std::uint32_t line = 1;; ++line) {
+    const auto read = read_bounded_line(in, longest_line);
+    if (!read)
+      return sentences;
+    if (read->is_cut)
+      return fail(ErrorKind::file, "this line is too long", {file, line, 1});
+    if (is_blank(read->text))
       continue;
-    const auto row = read_json(text);
+    const auto row = read_json(read->text);
     const auto mistake =
         row ? mistake_in(*row) : "this line is no JSON of its own";
     if (!mistake.empty())
       return fail(ErrorKind::file, mistake, {file, line, 1});
     sentences.push_back(sentence_of(*row, line));
   }
-  return sentences;
 }
 
 } // namespace parlour::tools

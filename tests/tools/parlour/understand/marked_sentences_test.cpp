@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tools/parlour/console/line_reader.hpp"
 #include "tools/parlour/understand/marked_sentences.hpp"
 
 namespace parlour::tools {
@@ -33,11 +34,14 @@ TEST(MarkedSentences, HaveAnIntentSlotsAndAContext) {
 }
 
 TEST(MarkedSentences, TellTheLineOfAMistake) {
+  const auto too_long =
+      "{\"text\": \"a\"}\n" + std::string(longest_line + 1, ' ');
   for (const auto* wrong :
        {"{\"text\": \"a\"}\n{\"text\": ", "{\"text\": \"a\"}\n[1]",
         "{\"text\": \"a\"}\n{\"topic\": \"Taxi\"}",
         "{\"text\": \"a\"}\n{\"text\": \"b\", \"acts\": []}",
-        "{\"text\": \"a\"}\n{\"text\": \"b\", \"slots\": [1]}"}) {
+        "{\"text\": \"a\"}\n{\"text\": \"b\", \"slots\": [1]}",
+        too_long.c_str()}) {
     const auto made = read(wrong);
     ASSERT_FALSE(made) << wrong;
     EXPECT_EQ(made.error().place.file, "own.jsonl");

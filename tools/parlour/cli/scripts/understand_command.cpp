@@ -1,11 +1,15 @@
 // `parlour understand`: what an application makes of one text and why, of many
 // sentences, or how much of marked sentences (understand/).
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
+#include <system_error>
 
 #include "runtime/text/json_text.hpp"
 #include "tools/parlour/application/opening.hpp"
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/console/bounded_line.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/console/line_reader.hpp"
 #include "tools/parlour/understand/reader.hpp"
@@ -45,11 +49,13 @@ std::string well_formed(std::string_view text) {
 }
 
 // A line of JSON for each sentence, at once, so that a program may ask and
-// wait.
+// wait. Of a line that is too long, the rest is passed over.
 int read_lines(Reader& reader, const Map& context, std::istream& in,
                const Console& console) {
-  for (std::string line; std::getline(in, line);) {
-    const auto text = well_formed(line);
+  while (const auto line = read_bounded_line(in, longest_line)) {
+    if (line->is_cut)
+      in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    const auto text = well_formed(line->text);
     console.out << reading_line(text, reader.read(text, context, false))
                 << std::endl;
   }
@@ -98,7 +104,11 @@ std::string mistake_in(const UnderstandOptions& options) {
 
 Expected<std::vector<MarkedSentence>> marked_in(const Places& places,
                                                 const std::string& name) {
-  std::ifstream file(places.working / name);
+  const auto path = places.working / name;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    return fail(ErrorKind::file, "this is a folder, not a file", {name, 0, 0});
+  std::ifstream file(path);
   if (!file)
     return fail(ErrorKind::file, "this file cannot be read", {name, 0, 0});
   return read_marked_sentences(file, name);

@@ -20,7 +20,8 @@ protected:
 TEST_F(LoadCommandTest, says_what_is_wrong_with_its_options) {
   EXPECT_EQ(load({"--to", "nowhere"}), exit_code::usage);
   EXPECT_THAT(err_.str(), HasSubstr("'nowhere' is no HOST:PORT"));
-  EXPECT_EQ(load({"--rate", "0"}), exit_code::usage);
+  for (const auto* rate : {"0", "-1", "nan", "inf", "many"})
+    EXPECT_EQ(load({"--rate", rate}), exit_code::usage) << rate;
   EXPECT_EQ(load({"--conversations", "none"}), exit_code::usage);
   EXPECT_THAT(err_.str(), HasSubstr("there is no conversation 'none'"));
 }

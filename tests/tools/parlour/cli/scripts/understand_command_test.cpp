@@ -76,6 +76,9 @@ TEST_F(CommandTest, understand_compares_with_marked_sentences) {
   EXPECT_THAT(err_.str(), HasSubstr("wrong.jsonl:1: "));
   EXPECT_EQ(call({"understand", "bicycles", "--score", path + "/none.jsonl"}),
             exit_code::wrong);
+  EXPECT_EQ(call({"understand", "bicycles", "--score", path}),
+            exit_code::wrong);
+  EXPECT_THAT(err_.str(), HasSubstr("this is a folder"));
   EXPECT_EQ(call({"understand", "bicycles", "moo", "--batch"}),
             exit_code::usage);
 }

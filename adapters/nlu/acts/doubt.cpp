@@ -208,8 +208,8 @@ private:
   }
 
   bool is_nod(const BuiltAct& act) const {
-    static constexpr std::array<std::string_view, 8> words{
-        "ok", "okay", "right", "alright", "all", "fine", "good", "great"};
+    static constexpr std::array<std::string_view, 6> words{
+        "ok", "okay", "right", "alright", "all", "fine"};
     for (auto token = act.begin; token < act.end; ++token)
       if (!has(words, word(token)))
         return false;

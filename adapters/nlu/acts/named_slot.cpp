@@ -13,14 +13,24 @@ namespace {
 
 // Words around the name that tell no value.
 bool is_carrier(std::string_view word) {
-  static const WordSet words{
-      "the",    "my",       "a",    "an",  "that",  "it",        "is",
-      "was",    "no",       "nope", "i",   "we",    "want",      "would",
-      "like",   "need",     "to",   "can", "could", "you",       "please",
-      "change", "fix",      "have", "had", "just",  "only",      "sorry",
-      "think",  "about",    "let",  "us",  "me",    "but",       "must",
-      "should", "be",       "new",  "not", "wrong", "incorrect", "another",
-      "other",  "different"};
+  static const WordSet words{"the", "my",     "a",    "an",   "that",  "it",
+                             "is",  "was",    "no",   "nope", "to",    "can",
+                             "you", "please", "just", "only", "sorry", "but",
+                             "be",  "could",  "let",  "us",   "me"};
+  return words.contains(word);
+}
+
+// Somebody wants something, which is to change the slot only beside a word that
+// says so: not "I have no time".
+bool wishes(std::string_view word) {
+  static const WordSet words{"i",    "we",   "want", "would", "like",
+                             "need", "have", "must", "should"};
+  return words.contains(word);
+}
+bool mends(std::string_view word) {
+  static const WordSet words{"change",  "fix",       "wrong",  "incorrect",
+                             "another", "different", "other",  "new",
+                             "not",     "correct",   "mistake"};
   return words.contains(word);
 }
 
@@ -64,14 +74,22 @@ std::optional<BuiltAct> named_slot_of(const Utterance& utterance,
   if (!named)
     return {};
   const auto end = begin + named->words.size();
+  bool has_wish = false;
+  bool has_mend = false;
   const auto& list = utterance.tokens.list;
   for (std::size_t at = 0; at < utterance.size(); ++at) {
-    const bool is_not_right =
-        is_right(list[at].word) && at > 0 && list[at - 1].word == "not";
-    if ((at < begin || at >= end) && !utterance.filler[at] &&
-        !is_carrier(list[at].word) && !is_not_right)
+    if ((at >= begin && at < end) || utterance.filler[at])
+      continue;
+    const auto& word = list[at].word;
+    if (is_right(word) && (at == 0 || list[at - 1].word != "not"))
+      return {};
+    has_wish = has_wish || wishes(word);
+    has_mend = has_mend || mends(word);
+    if (!is_carrier(word) && !wishes(word) && !mends(word) && !is_right(word))
       return {};
   }
+  if (has_wish && !has_mend)
+    return {};
   BuiltAct act;
   act.act = "correct";
   act.topic = context.changes_topic;

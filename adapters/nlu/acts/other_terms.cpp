@@ -27,24 +27,30 @@ public:
                              Break::sentence)) {}
 
   std::optional<TokenRange> find() const {
-    for (std::uint32_t at = 0; at < utterance_.size(); ++at) {
-      const auto length = is_within_yes(at) ? 0 : length_at(at);
-      if (length == 0)
-        continue;
-      const TokenRange words{at, at + length};
-      if (!is_asked(words) && !is_said_of_something(at))
-        return words;
-      at = words.end - 1;
+    for (auto at = yes_.end; at < sentence_.end; ++at) {
+      if (const auto length = length_at(at); length > 0) {
+        const TokenRange words{at, at + length};
+        return is_asked(words) || is_said_of_something(at)
+                   ? std::nullopt
+                   : std::optional(words);
+      }
+      if (!leads_there(at))
+        return {};
     }
     return {};
   }
 
 private:
-  bool is_within_yes(std::uint32_t at) const {
-    return yes_.begin <= at && at < yes_.end;
-  }
   const std::string& word(std::uint32_t at) const {
     return utterance_.tokens.list[at].word;
+  }
+
+  // "yes, but only for the other one"; not "yes, it is half past nine".
+  bool leads_there(std::uint32_t at) const {
+    static const WordSet words{"in", "at",   "on",  "for",  "by",   "the",
+                               "to", "then", "but", "only", "with", "from",
+                               "ok", "just", "and", "maybe"};
+    return utterance_.filler[at] || words.contains(word(at));
   }
 
   // Of a time, or of a condition to the end of its sentence; 0: none begins
@@ -53,9 +59,8 @@ private:
     static const WordSet conditions{"if",      "unless", "once",     "after",
                                     "before",  "until",  "till",     "other",
                                     "another", "wrong",  "different"};
-    const bool is_beside = yes_.end <= at && at < sentence_.end;
-    return is_beside && conditions.contains(word(at)) ? sentence_.end - at
-                                                      : length_of_time(at);
+    return conditions.contains(word(at)) ? sentence_.end - at
+                                         : length_of_time(at);
   }
 
   std::uint32_t length_of_time(std::uint32_t at) const {

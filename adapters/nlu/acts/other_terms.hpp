@@ -11,10 +11,10 @@
 
 namespace parlour::adapters::nlu {
 
-// The words, where a yes or no is waited for: the first time that the question
-// does not name, condition or other choice in the sentence of the yes. Not what
-// an act gives the topic that goes on, or what a sentence about something else
-// says. `yes` is one of the acts.
+// The words, where a yes or no is waited for: right behind the yes, in its
+// sentence, a time that the question does not name, a condition or another
+// choice. Not what an act gives the topic that goes on, or what a sentence
+// about something else says. `yes` is one of the acts.
 std::optional<TokenRange> other_terms(const Utterance& utterance,
                                       const std::vector<BuiltAct>& acts,
                                       const BuiltAct& yes,

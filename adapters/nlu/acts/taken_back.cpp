@@ -43,6 +43,16 @@ struct Item {
   bool is_out = false;     // of its act
 };
 
+// "No, nothing else", "no, that's all": what was said is all that is wanted.
+bool closes(const BuiltAct& last, const Utterance& utterance) {
+  static const WordSet words{"nothing", "all",   "else",       "more",
+                             "thanks",  "thank", "everything", "further"};
+  const auto& list = utterance.tokens.list;
+  return std::any_of(
+      list.begin() + last.begin, list.end(),
+      [](const Token& token) { return words.contains(token.word); });
+}
+
 // The last word, about no topic: "no, don't", "never mind". "I'd rather have
 // nothing" only says why.
 bool withdraws(const BuiltAct& last, const Utterance& utterance,
@@ -58,8 +68,18 @@ bool withdraws(const BuiltAct& last, const Utterance& utterance,
   const bool is_asked =
       context.asked_topic != no_topic || !context.confirms.empty();
   return last.act == "cancel" || last.act == "abandon" ||
-         (last.act == "deny" && !is_asked &&
+         (last.act == "deny" && !is_asked && !closes(last, utterance) &&
           bare.contains(utterance.tokens.list[first].word));
+}
+
+// "Two towels. Do I have to pay for them? No." answers that.
+bool answers_between(const BuiltAct& act, const BuiltAct& last,
+                     const Utterance& utterance) {
+  const auto& list = utterance.tokens.list;
+  return std::count_if(list.begin() + act.end, list.begin() + last.begin + 1,
+                       [](const Token& token) {
+                         return token.before == Break::sentence;
+                       }) > 1;
 }
 
 // Of another sentence only an order with values is meant: "My husband can do
@@ -70,7 +90,9 @@ bool is_withdrawn(const BuiltAct& act, const BuiltAct& last,
     return false;
   const auto sentence =
       stretch_of(utterance.tokens, {last.begin, last.end}, Break::sentence);
-  return act.end > sentence.begin || last.act == "deny" ||
+  if (last.act == "deny")
+    return act.end <= last.begin && !answers_between(act, last, utterance);
+  return act.end > sentence.begin ||
          std::ranges::any_of(act.fills,
                              [](const Fill& fill) { return !fill.literal; });
 }

@@ -40,18 +40,28 @@ std::vector<std::string> words_in(const std::string& text) {
   return words;
 }
 
-// Of what is said with a question: "Shall I block it? I cannot take that back."
-// All of it where nothing is asked with a question mark.
-std::string questions_of(const std::string& text) {
-  std::string questions;
-  std::size_t begin = 0;
-  for (auto end = text.find_first_of(".!?"); end != std::string::npos;
-       end = text.find_first_of(".!?", begin)) {
-    if (text[end] == '?')
-      questions += text.substr(begin, end + 1 - begin);
-    begin = end + 1;
+// Without statements of what is not: "Shall I block it? I cannot take that
+// back." is answered by nobody who takes something back.
+std::vector<std::string> words_asked(const std::string& text) {
+  std::vector<std::string> words;
+  std::vector<std::string> sentence;
+  bool is_denied = false;
+  const auto tokens = tokenize(text).list;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    const auto& word = tokens[at].word;
+    sentence.push_back(word);
+    is_denied = is_denied || word == "not" || word == "cannot";
+    const bool is_last = at + 1 == tokens.size();
+    if (!is_last && tokens[at + 1].before != Break::sentence)
+      continue;
+    const auto next = is_last ? text.size() : tokens[at + 1].begin;
+    const auto end = text.substr(tokens[at].end, next - tokens[at].end);
+    if (!is_denied || end.find('?') != std::string::npos)
+      words.insert(words.end(), sentence.begin(), sentence.end());
+    sentence.clear();
+    is_denied = false;
   }
-  return questions.empty() ? text : questions;
+  return words;
 }
 
 void read_changes(const Value& changes, const Schema& schema,
@@ -109,7 +119,7 @@ Context read_context(const Value& context, const Schema& schema) {
   if (const auto* grammar = context["grammar"].if_string())
     read.grammar = *grammar;
   if (const auto* question = context["confirms"].if_string())
-    read.confirms = words_in(questions_of(*question));
+    read.confirms = words_asked(*question);
   read_changes(context["changes"], schema, read);
   if (const auto* choices = context["choices"].if_list())
     for (const auto& choice : *choices)

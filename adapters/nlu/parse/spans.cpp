@@ -78,7 +78,8 @@ bool is_number_like(const Tokens& tokens, std::size_t position) {
 } // namespace
 
 Spans::Spans(const Schema& schema, const Utterance& utterance,
-             const std::vector<EntityId>& entities, Now now, bool heard)
+             const std::vector<EntityId>& entities, Now now, bool heard,
+             bool chooses)
     : schema_(schema), utterance_(utterance), plain_(utterance.plain),
       leads_(utterance.size()), stands_(utterance.size()),
       first_at_(utterance.size() + 1), entities_(utterance.size()),
@@ -90,7 +91,7 @@ Spans::Spans(const Schema& schema, const Utterance& utterance,
         !utterance.filler[at] && !utterance.function[at] && !is_comment(word);
   }
   add_forms(entities, now);
-  add_values(entities, heard);
+  add_values(entities, heard && !chooses);
   if (heard)
     add_heard_names(entities);
   order();
@@ -153,14 +154,15 @@ void Spans::mark_plain(const Span& span) {
       plain_[at] = true;
 }
 
-void Spans::add_values(const std::vector<EntityId>& entities, bool heard) {
+void Spans::add_values(const std::vector<EntityId>& entities,
+                       bool with_same_sound) {
   if (entities.empty() || !is_set(entities.back()))
     return;
   for (auto& match : schema_.values().find(utterance_.tokens, plain_)) {
     const auto entity = first_set_entity + match.set;
     if (!std::ranges::binary_search(entities, entity))
       continue;
-    if (heard)
+    if (with_same_sound)
       add_names_of_the_same_sound(schema_.values(), match);
     auto span = span_of(entity, match.begin, match.end);
     span.values = std::move(match.values);

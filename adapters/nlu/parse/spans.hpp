@@ -50,9 +50,11 @@ struct Span {
 class Spans {
 public:
   // `entities` are those that the grammars mention, sorted. Of what was
-  // `heard`, and not written, words may be names that only sound like them.
+  // `heard`, and not written, words may be names that only sound like them, and
+  // whole names others of the same sound; not while one is chosen of several.
   Spans(const Schema& schema, const Utterance& utterance,
-        const std::vector<EntityId>& entities, Now now, bool heard = false);
+        const std::vector<EntityId>& entities, Now now, bool heard = false,
+        bool chooses = false);
 
   // Indices of spans, valid until more are opened.
   using Indices = std::span<const std::uint32_t>;
@@ -90,7 +92,7 @@ public:
 
 private:
   void add_forms(const std::vector<EntityId>& entities, Now now);
-  void add_values(const std::vector<EntityId>& entities, bool heard);
+  void add_values(const std::vector<EntityId>& entities, bool with_same_sound);
   void add_heard_names(const std::vector<EntityId>& entities);
   void add_heard_name(EntityId entity, ValueMatch&& match);
   void add(Span span);

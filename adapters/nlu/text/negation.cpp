@@ -138,18 +138,25 @@ public:
 
 private:
   // "no need to open it", "I forbid you to open it", "stop opening it", "nobody
-  // may open it".
+  // may open it". Not "when do you stop opening it", nor what nobody can do.
   bool forbids(std::size_t token) const {
-    static const Words forbidden{"forbid", "avoid", "refuse"};
-    static const Words leave{"may", "must", "should", "can", "shall"};
+    static const Words leave{"may", "must", "should", "shall"};
+    const auto& here = word(token);
     const auto next = word(token + 1);
-    const bool no_need = word(token - 1) == "no" && word(token) == "need";
-    const bool stops = word(token) == "stop" || word(token) == "quit";
-    const bool no_one = word(token) == "nobody" ||
-                        (word(token) == "one" && word(token - 1) == "no");
-    return (no_need && next == "to") || forbidden.contains(word(token)) ||
-           (stops && next.size() > 4 && next.ends_with("ing")) ||
-           (no_one && leave.contains(next));
+    const bool no_need = word(token - 1) == "no" && here == "need";
+    const bool stops = here == "stop" || here == "quit";
+    const bool no_one =
+        here == "nobody" || (here == "one" && word(token - 1) == "no");
+    return (no_need && next == "to") ||
+           (here == "forbid" && word(token - 1) == "i") ||
+           (no_one && leave.contains(next)) ||
+           (begins_order(token) &&
+            (here == "avoid" || here == "refuse" ||
+             (stops && next.size() > 4 && next.ends_with("ing"))));
+  }
+  bool begins_order(std::size_t token) const {
+    return token == 0 || tokens_[token].before != Break::none ||
+           word(token - 1) == "please";
   }
   // "I did not ask you to get it", "nobody told you to". "Did I not ask you to
   // get it?" wants it still.
@@ -217,25 +224,33 @@ bool is_negated_order(const Tokens& tokens, const std::vector<bool>& negates) {
 }
 
 bool calls_off(const Tokens& tokens) {
-  static const Words thoughts{"if", "when", "whether", "until", "unless"};
-  static const Words verbs{"cancel", "canceling", "cancelling"};
+  static const Words thoughts{
+      "if",  "when", "whether", "until", "unless", "how",   "who", "where",
+      "why", "what", "did",     "does",  "may",    "might", "not", "never"};
   // "call that meeting off"
-  constexpr std::size_t farthest_off = 4;
+  constexpr std::size_t farthest_off = 3;
   const auto& list = tokens.list;
+  const auto ends_clause = [&](std::size_t token) {
+    return token + 1 == list.size() || list[token + 1].before != Break::none ||
+           list[token + 1].word == "please";
+  };
   bool is_thought = false;
-  std::size_t calls = list.size(); // the last "call"
+  std::size_t call = list.size(); // the last one
   for (std::size_t token = 0; token < list.size(); ++token) {
     const auto& word = list[token].word;
     if (list[token].before == Break::sentence) {
       is_thought = false;
-      calls = list.size();
+      call = list.size();
     }
-    is_thought = is_thought || thoughts.contains(word);
-    if (word == "call" || word == "calling")
-      calls = token;
-    const bool is_off =
-        word == "off" && calls < token && token - calls <= farthest_off;
-    if (!is_thought && (verbs.contains(word) || is_off))
+    const bool asks_you = word == "do" && token + 1 < list.size() &&
+                          list[token + 1].word == "you";
+    is_thought = is_thought || asks_you || thoughts.contains(word);
+    if (word == "call")
+      call = token;
+    const bool is_off = word == "off" && call < token &&
+                        (token == call + 1 ||
+                         (token - call <= farthest_off && ends_clause(token)));
+    if (!is_thought && (word == "cancel" || is_off))
       return true;
   }
   return false;

@@ -31,8 +31,8 @@ bool is_warning(const Tokens& tokens, std::size_t token);
 bool is_negated_order(const Tokens& tokens, const std::vector<bool>& negates);
 
 // Whether it is wanted that something ends or does not happen: "cancel my
-// table", "can we call it off". Not where that is only thought of: "what if I
-// cancel it".
+// table", "can we call it off". Not where that is only thought of or asked
+// about: "what if I cancel it", "how do I cancel".
 bool calls_off(const Tokens& tokens);
 
 } // namespace parlour::adapters::nlu

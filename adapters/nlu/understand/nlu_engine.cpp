@@ -73,7 +73,8 @@ struct NluEngine::Implementation {
   }
 
   Spans spans_of(const Utterance& utterance, const Context& context) const {
-    return {schema, utterance, entities(context), context.now, context.heard};
+    return {schema,      utterance,     entities(context),
+            context.now, context.heard, !context.choices.empty()};
   }
 
   std::vector<BuiltAct> acts_of(const Chain& chain, const Utterance& utterance,

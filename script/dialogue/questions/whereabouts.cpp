@@ -98,12 +98,13 @@ TopicId Whereabouts::waiting_topic(const ClassifierContext& context) const {
 }
 
 // What the user may call the slots of which the robot has asked whether they
-// are right.
+// are right, and which it can ask for.
 Map Whereabouts::names_of_slots(TopicId topic) const {
   Map names;
   const auto& slots = context_.topic(topic).slots;
   for (SlotId slot = 0; slot < slots.size(); ++slot)
-    if (frames_[topic].slots[slot].applies)
+    if (frames_[topic].slots[slot].applies &&
+        slots[slot].question != script::no_code)
       if (const auto label = words_.label_of(topic, slot); label.if_string())
         names.set(slots[slot].name, label);
   return names;

@@ -39,8 +39,8 @@ void ActEntry::offer_act(steps::TopicAct&& step) {
   const auto* state = context_.active_state();
   if (offers_.listens(command)) {
     auto parameter = to_value(*step.act); // which nobody else would read
-    step.offer = offers_.next_offer();
-    offers_.offer(command, std::move(parameter), step.offer, std::move(step));
+    const auto offer = step.offer = offers_.next_offer();
+    offers_.offer(command, std::move(parameter), offer, std::move(step));
   } else if (state && state->capture != script::Capture::none) {
     // The state keeps every act for itself; this one it has no use for, unless
     // it is to a question of its own.

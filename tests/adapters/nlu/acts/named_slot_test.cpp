@@ -31,7 +31,8 @@ TEST(NamedSlot, IsToBeAnother) {
 
 TEST(NamedSlot, IsAllThatIsSaid) {
   for (const auto* text :
-       {"the time is right", "yes, the time", "at what time", "the time, 10:00",
+       {"the time is right", "I have no time", "I need the time",
+        "yes, the time", "at what time", "the time, 10:00",
         "the time and the goal of the trip", "the trip", "the day", ""})
     EXPECT_EQ(named(text), "") << text;
 }

@@ -30,7 +30,9 @@ TEST(OtherTerms, AreTimesThatTheQuestionDoesNotName) {
   EXPECT_EQ(terms("okay, tomorrow", question), "tomorrow");
   EXPECT_EQ(terms("yes, later", question), "later");
   for (const auto* text :
-       {"yes", "yes please", "yes now", "yes today", "yes, at six"})
+       {"yes", "yes please", "yes now", "yes today", "yes, at six",
+        "yes, it's half past nine already", "yes please. We came yesterday.",
+        "yes, see you tomorrow"})
     EXPECT_EQ(terms(text, question), "") << text;
 }
 

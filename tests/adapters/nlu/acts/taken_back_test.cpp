@@ -100,6 +100,13 @@ TEST(TakenBack, MayBeAllThatIsWanted) {
     EXPECT_EQ(left(text), "cancel") << text;
 }
 
+TEST(TakenBack, IsNotWhatIsAllThatIsWanted) {
+  for (const auto* text :
+       {"I need a taxi. No, nothing else, thanks.",
+        "I need a taxi, no, that's all", "I need a taxi. Is it far? No."})
+    EXPECT_EQ(left(text).find("inform Taxi"), 0U) << text << left(text);
+}
+
 TEST(TakenBack, IsNoEnquiryNorWhatIsSaidBehindIt) {
   EXPECT_EQ(left("where is the bank, forget it").find("request Facility"), 0U);
   EXPECT_EQ(left("forget it, I need a taxi"), "cancel + inform Taxi");

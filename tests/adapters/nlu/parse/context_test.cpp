@@ -59,13 +59,15 @@ TEST_F(ContextTest, KeepsTheQuestionThatWaits) {
 
 TEST_F(ContextTest, KeepsTheWordsOfWhatIsAsked) {
   using Words = std::vector<std::string>;
-  EXPECT_EQ(
-      read({{"confirms", "Shall I block it? I cannot take it back."}}).confirms,
-      (Words{"shall", "i", "block", "it"}));
-  EXPECT_EQ(read({{"confirms", "A table. Right? Or not?"}}).confirms,
-            (Words{"right", "or", "not"}));
-  EXPECT_EQ(read({{"confirms", "Shall I block it"}}).confirms,
+  const auto words = [&](const char* question) {
+    return read({{"confirms", question}}).confirms;
+  };
+  EXPECT_EQ(words("Shall I block it? I cannot take it back."),
             (Words{"shall", "i", "block", "it"}));
+  EXPECT_EQ(words("A blue one. Right? Or not?"),
+            (Words{"a", "blue", "one", "right", "or", "not"}));
+  EXPECT_EQ(words("Shall I call Dr. Ho at 10.30?"),
+            (Words{"shall", "i", "call", "dr", "ho", "at", "10.30"}));
 }
 
 TEST_F(ContextTest, NamesSlotsThatMayBeWrong) {

@@ -120,6 +120,29 @@ TEST(Spans, OfHeardNamesAreWeakAndDoubted) {
     EXPECT_EQ(line.find("doubted"), std::string::npos) << line;
 }
 
+// Whoever is asked which of them has heard both names.
+TEST(Spans, OfHeardNamesAreOfAllThatSoundTheSameUnlessOneIsChosen) {
+  std::vector<Error> errors;
+  const auto people =
+      [](const std::string&) -> Expected<std::vector<std::string>> {
+    return std::vector<std::string>{"Alan Teo", "Allan Teo", "Jeffery Ho"};
+  };
+  const Schema schema(sample_model(), people, errors);
+  const auto entity = schema.at(0).find("Host")->entity;
+  const Automaton automaton;
+  const auto utterance = make_utterance("Alan Teo", automaton);
+  const auto most = [&](bool heard, bool chooses) {
+    const Spans spans(schema, utterance, {entity}, {}, heard, chooses);
+    std::size_t values = 0;
+    for (const auto& span : spans.all())
+      values = std::max(values, span.values.size());
+    return values;
+  };
+  EXPECT_EQ(most(true, false), 2U);
+  EXPECT_EQ(most(true, true), 1U);
+  EXPECT_EQ(most(false, false), 1U);
+}
+
 TEST(Spans, OfNumbersHaveNoPronoun) {
   const auto is_number = [](const char* text, std::size_t at) {
     Stages stages("public <a> = @number {Host};", text);

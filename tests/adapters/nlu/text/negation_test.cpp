@@ -95,14 +95,16 @@ TEST(Negation, WhatNobodyAskedForIsNotOrdered) {
 
 TEST(Negation, IsSaidInOtherWords) {
   for (const auto* text : {"no need to open the door", "stop opening the door",
-                           "avoid opening the door", "I forbid you to open it",
+                           "please stop ringing", "avoid opening the door",
+                           "I forbid you to open it",
                            "nobody may open the door", "no one must open it"})
     EXPECT_TRUE(is_order(text)) << text;
   for (const auto* text :
        {"I need to open the door", "stop the spring", "where is the bus stop",
-        "stop ringing now and then", "nobody is at the door"})
-    EXPECT_EQ(is_order(text), std::string(text).starts_with("stop ringing"))
-        << text;
+        "when do you stop serving breakfast", "it will not stop raining",
+        "how can I avoid the queue", "no one can open it, please open it",
+        "nobody is at the door"})
+    EXPECT_FALSE(is_order(text)) << text;
 }
 
 TEST(Negation, SomethingIsCalledOff) {
@@ -113,7 +115,10 @@ TEST(Negation, SomethingIsCalledOff) {
     EXPECT_TRUE(calls_off(tokenize(text))) << text;
   for (const auto* text :
        {"what if I cancel it", "when can I cancel", "was it cancelled",
-        "call Tom", "I call when the light is off", "it is off, call me",
+        "how do I cancel it", "do you charge me if I cancel",
+        "I did not cancel", "why did you cancel it", "a noise cancelling robot",
+        "call Tom off the list", "I call it a rip off", "call Tom",
+        "I call when the light is off", "it is off, call me",
         "call me. Lights off."})
     EXPECT_FALSE(calls_off(tokenize(text))) << text;
 }

@@ -75,7 +75,7 @@ TEST(TopicActs, ASlotIsNamedInVainWhereNobodyAskedWhatIsWrong) {
   world.say(inform("Room", {{"Nights", "2"}}));
   EXPECT_EQ(world.said(), Texts{"Who?"});
   world.say(naming("Nights"));
-  EXPECT_NE(world.said(), Texts{"How many nights?"});
+  EXPECT_EQ(world.said(), Texts{"Who?"});
   EXPECT_EQ(world.slot("Room", "Nights"), Value("2"));
 }
 

@@ -120,31 +120,6 @@ TEST(Spans, OfHeardNamesAreWeakAndDoubted) {
     EXPECT_EQ(line.find("doubted"), std::string::npos) << line;
 }
 
-// Whoever is asked which of them has heard both names.
-TEST(Spans, OfHeardNamesAreOfAllThatSoundTheSameUnlessOneIsChosen) {
-  std::vector<Error> errors;
-  const auto people =
-      [](const std::string&) -> Expected<std::vector<std::string>> {
-    return std::vector<std::string>{"Alan Teo", "Allan Teo", "Jeffery Ho"};
-  };
-  const Schema schema(sample_model(), people, errors);
-  const auto entity = schema.at(0).find("Host")->entity;
-  const Automaton automaton;
-  const auto utterance = make_utterance("Alan Teo", automaton);
-  // Of the whole name.
-  const auto meant = [&](bool heard, bool chooses) {
-    const Spans spans(schema, utterance, {entity}, {}, heard, chooses);
-    std::size_t values = 0;
-    for (const auto& span : spans.all())
-      if (span.end - span.begin == utterance.size())
-        values += span.values.size();
-    return values;
-  };
-  EXPECT_EQ(meant(true, false), 2U);
-  EXPECT_EQ(meant(true, true), 1U);
-  EXPECT_EQ(meant(false, false), 1U);
-}
-
 TEST(Spans, OfNumbersHaveNoPronoun) {
   const auto is_number = [](const char* text, std::size_t at) {
     Stages stages("public <a> = @number {Host};", text);

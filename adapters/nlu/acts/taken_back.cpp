@@ -82,19 +82,23 @@ bool answers_between(const BuiltAct& act, const BuiltAct& last,
                        }) > 1;
 }
 
-// Of another sentence only an order with values is meant: "My husband can do
-// that. Drop it." is one wish.
+// Of another sentence nothing that may be a question is withdrawn, "Where is
+// the remote? Don't bring it.", and only an order with values called off: "My
+// husband can do that. Drop it." is one wish.
 bool is_withdrawn(const BuiltAct& act, const BuiltAct& last,
                   const Utterance& utterance, const Schema& schema) {
-  if (act.topic == no_topic || schema.at(act.topic).enquiry)
+  if (act.topic == no_topic || schema.at(act.topic).enquiry ||
+      act.end > last.begin)
     return false;
   const auto sentence =
       stretch_of(utterance.tokens, {last.begin, last.end}, Break::sentence);
-  if (last.act == "deny")
-    return act.end <= last.begin && !answers_between(act, last, utterance);
-  return act.end > sentence.begin ||
-         std::ranges::any_of(act.fills,
-                             [](const Fill& fill) { return !fill.literal; });
+  if (act.end > sentence.begin)
+    return true;
+  const bool has_value = std::ranges::any_of(
+      act.fills, [](const Fill& fill) { return !fill.literal; });
+  return act.act != "request" &&
+         (last.act == "deny" ? !answers_between(act, last, utterance)
+                             : has_value);
 }
 
 class TakenBack {

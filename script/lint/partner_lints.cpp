@@ -1,15 +1,12 @@
 // missing-partner: a statement needs another one that is nowhere in the
-// application: a <pop> needs a <push>, a <cancel timer> its <timer>, a query
-// that writes a connection that may write, and a topic somebody who hands it
-// what was understood.
+// application: a <pop> needs a <push>, a <cancel timer> its <timer>, and a
+// query that writes a connection that may write.
 //
 //   <cancel timer="tee"/>                 no <timer> has this name
 //   <querydb param="insert into …"/>      no connection with write="true"
-//   <topic name="Taxi">                   no <fire>, so it never hears anything
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <utility>
 
 #include "runtime/message/roles.hpp"
 #include "script/lint/passes.hpp"
@@ -65,21 +62,15 @@ class PartnerLint {
 public:
   PartnerLint(const LintContext& context, Findings& findings)
       : findings_(findings), variables_(declared_names(context)) {
-    const auto has = [](const auto& roles, std::string_view wanted) {
-      return std::ranges::any_of(roles, [&](const auto& role) {
-        return canonical_role(role) == wanted;
-      });
-    };
-    for (const auto& [component, roles] : context.options.component_roles) {
-      understands_ |= has(roles, "NLU");
-      if (has(roles, "Database"))
+    for (const auto& [component, roles] : context.options.component_roles)
+      if (std::ranges::any_of(roles, [](const auto& role) {
+            return canonical_role(role) == "Database";
+          }))
         databases_.add(component);
-    }
   }
 
   void note(const Element& element);
   void look_at(const Element& element);
-  void look_at_topic(const Element& topic);
 
 private:
   void look_at_query(const Element& element);
@@ -94,15 +85,11 @@ private:
   std::set<std::string> variables_;
   Given timers_, sockets_, connections_, writable_, databases_;
   bool pushes_ = false;
-  bool fires_ = false;
-  bool understands_ = false;
-  bool told_of_topics_ = false;
 };
 
 // Collects what statements open, start or connect.
 void PartnerLint::note(const Element& element) {
   pushes_ |= element.is("push");
-  fires_ |= element.is("fire");
   if (element.is("timer"))
     timers_.add(element.value("name"));
   if (element.is("socket"))
@@ -181,14 +168,6 @@ void PartnerLint::look_at(const Element& element) {
     look_at_query(element);
 }
 
-// The first one stands for all.
-void PartnerLint::look_at_topic(const Element& topic) {
-  if (understands_ && !fires_ && !std::exchange(told_of_topics_, true))
-    warn(findings_, "missing-partner", topic.position,
-         "nothing hands topics what was understood; write <include "
-         "href=\"parlour:pipeline\"/>, or <fire> the frames in a handler");
-}
-
 } // namespace
 
 void lint_partners(const LintContext& context, Findings& findings) {
@@ -199,10 +178,6 @@ void lint_partners(const LintContext& context, Findings& findings) {
                   [&](const Element& element) { lint.note(element); });
   walk_statements(context, false,
                   [&](const Element& element) { lint.look_at(element); });
-  walk(context, false, [&](const Element& element, const ElementRule&) {
-    if (element.is("topic"))
-      lint.look_at_topic(element);
-  });
 }
 
 } // namespace parlour::script::lint

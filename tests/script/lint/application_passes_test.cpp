@@ -117,34 +117,4 @@ TEST(LintMessages, know_what_a_relay_makes_of_a_command) {
             "3:72 unknown-command");
 }
 
-// Somebody who understands, and nobody who hands it on.
-TEST(PartnerLints, TopicsNeedSomebodyWhoHandsThemWhatWasUnderstood) {
-  const auto said = [](const std::string& handler, const std::string& component,
-                       const std::string& role) {
-    test::TemporaryFolder folder;
-    folder.write("settings.xml", "<settings start='Welcome'><Scripts><Script>"
-                                 "a.xml</Script></Scripts></settings>");
-    folder.write("a.xml", "<dialogue><state name='Welcome'/>\n"
-                          "<topic name='Taxi' kind='enquiry'/>\n"
-                          "<topic name='Bus' kind='enquiry'/>" +
-                              handler + "</dialogue>");
-    auto compiled = compile_application(folder.path(), test::platform());
-    Options options;
-    options.component_roles = {{component, {role}}};
-    lint(compiled, options);
-    std::string lines;
-    for (const auto& finding : compiled.findings.all())
-      if (finding.name == "missing-partner")
-        lines += std::to_string(finding.place.line) + " " + finding.message;
-    return lines;
-  };
-  EXPECT_EQ(said("", "GrammarNLU", "NLU")
-                .find("2 nothing hands topics what was understood; write "
-                      "<include href=\"parlour:pipeline\"/>"),
-            0U);
-  EXPECT_EQ(said("", "PhraseNLG", "NLG"), "");
-  EXPECT_EQ(said("<include href='parlour:pipeline'/>", "GrammarNLU", "NLU"),
-            "");
-}
-
 } // namespace parlour::script::lint

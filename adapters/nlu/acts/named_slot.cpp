@@ -28,9 +28,9 @@ bool wishes(std::string_view word) {
   return words.contains(word);
 }
 bool mends(std::string_view word) {
-  static const WordSet words{"change",  "fix",       "wrong",  "incorrect",
-                             "another", "different", "other",  "new",
-                             "not",     "correct",   "mistake"};
+  static const WordSet words{"change",  "fix",       "wrong", "incorrect",
+                             "another", "different", "other", "new",
+                             "not",     "mistake"};
   return words.contains(word);
 }
 

@@ -1,12 +1,9 @@
 #include "adapters/nlu/acts/other_terms.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "adapters/nlu/forms/normal_forms.hpp"
 #include "adapters/nlu/parse/question_words.hpp"
-#include "adapters/nlu/text/has.hpp"
 #include "adapters/nlu/text/word_set.hpp"
 
 namespace parlour::adapters::nlu {

@@ -57,8 +57,8 @@ public:
 
   // "That's it" is no more where more is asked for, and a yes elsewhere.
   bool is_other_end(const Island& island) const {
-    if (!is_one_of(word(island.begin), {"that"}) ||
-        island.end < island.begin + 3 || word(island.begin + 1) != "is" ||
+    if (word(island.begin) != "that" || island.end < island.begin + 3 ||
+        word(island.begin + 1) != "is" ||
         !is_one_of(word(island.begin + 2), {"it", "everything"}))
       return false;
     return asks_for_more_ ? is_generic(island, "confirm")

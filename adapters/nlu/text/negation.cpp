@@ -145,14 +145,16 @@ private:
     const auto next = word(token + 1);
     const bool no_need = word(token - 1) == "no" && here == "need";
     const bool stops = here == "stop" || here == "quit";
-    const bool no_one =
-        here == "nobody" || (here == "one" && word(token - 1) == "no");
     return (no_need && next == "to") ||
            (here == "forbid" && word(token - 1) == "i") ||
-           (no_one && leave.contains(next)) ||
+           (is_no_one(token) && leave.contains(next)) ||
            (begins_order(token) &&
             (here == "avoid" || here == "refuse" ||
              (stops && next.size() > 4 && next.ends_with("ing"))));
+  }
+  bool is_no_one(std::size_t token) const {
+    return word(token) == "nobody" ||
+           (word(token) == "one" && word(token - 1) == "no");
   }
   bool begins_order(std::size_t token) const {
     return token == 0 || tokens_[token].before != Break::none ||
@@ -167,9 +169,8 @@ private:
         word(token + 2) != "to")
       return false;
     const auto before = word(token - 1);
-    const bool no_one = before == "one" && word(token - 2) == "no";
-    if (before == "nobody" || no_one)
-      return !reproaches(word(token - (no_one ? 3 : 2)));
+    if (is_no_one(token - 1))
+      return !reproaches(word(token - (before == "one" ? 3 : 2)));
     return (is_not(before) && !subjects().contains(word(token - 2))) ||
            before == "never";
   }

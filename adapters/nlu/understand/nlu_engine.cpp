@@ -283,9 +283,8 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   const auto& self = *implementation_;
   const auto& schema = self.schema;
   const auto& [learned, likeness] = *self.taught;
-  // The stages, each on the result of the one before:
-  //  tokens -> spans (values) -> matches (rules) -> islands (meaning)
-  //  -> chains -> acts, completed by hypotheses of the examples
+  // tokens -> spans (values) -> matches (rules) -> islands (meaning) -> chains
+  // -> acts, completed by hypotheses of the examples
   const auto context = read_context(context_value, schema);
   const auto utterance = make_utterance(text, self.automaton);
   auto spans = self.spans_of(utterance, context);
@@ -302,7 +301,8 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
     acts = self.acts_of(chains[0], utterance, context);
   }
   const auto choice = choice_or_named_slot(utterance, context);
-  acts = choice ? std::vector{*choice} : std::move(acts);
+  if (choice)
+    acts = {*choice};
   std::vector<BuiltAct> hypotheses;
   const auto meant = without_courtesies(utterance, chains[0], context);
   const BetterReading better(schema, context, meant, spans,
